@@ -7,7 +7,7 @@
 
 namespace diefill::app {
 
-void give_back_freed_memory() {
+void release_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kBigArray = 4 * 1024 * 1024;  // bytes
   mallopt(M_MMAP_THRESHOLD, kBigArray);

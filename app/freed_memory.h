@@ -1,4 +1,4 @@
-// Returns memory to the system that the engine no longer needs.
+// Returns memory that the engine no longer needs to the system.
 #pragma once
 
 namespace diefill::app {
@@ -9,6 +9,6 @@ namespace diefill::app {
 /// fault for each 4 KiB, which the threads of a run wait for (engine/PERFORMANCE.md). For commands that
 /// simulate; reading CAD, which allocates far more arrays, is a tenth faster without. Does nothing with C
 /// libraries other than GNU's.
-void give_back_freed_memory();
+void release_freed_memory();
 
 }  // namespace diefill::app

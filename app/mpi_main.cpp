@@ -10,7 +10,7 @@
 #include "app/exit_code.h"
 #include "app/program.h"
 #include "process/cluster/lammps/lammps_engine.h"
-#include "process/cluster/mpirun_talk.h"
+#include "process/cluster/mpirun_output.h"
 
 namespace {
 
@@ -39,7 +39,7 @@ int run_rank(int argc, char** argv) {
     process::cluster::serve(ranks);
     return app::kDone;
   }
-  if (std::getenv(process::cluster::kSayBegin) != nullptr)
+  if (std::getenv(process::cluster::kAnnounceRanks) != nullptr)
     std::fprintf(stderr, "%s\n", process::cluster::kRanksBegin.data());
   process::cluster::LammpsEngine engine(ranks);
   app::step_engine() = &engine;

@@ -53,6 +53,19 @@ void make_output_directory(const std::filesystem::path& directory, const std::st
   if (error) throw std::runtime_error(cannot_write(directory, error.message(), option));
 }
 
+DirectoryToFill::DirectoryToFill(const std::filesystem::path& directory, const std::string& option) {
+  std::error_code error;
+  for (std::filesystem::path place = directory;
+       place.has_relative_path() && !std::filesystem::exists(place, error); place = place.parent_path())
+    made_.push_back(place);
+  make_output_directory(directory, option);
+}
+
+DirectoryToFill::~DirectoryToFill() {
+  std::error_code not_empty;
+  for (const auto& place : made_) std::filesystem::remove(place, not_empty);
+}
+
 OutputDirectory::OutputDirectory(const std::filesystem::path& directory,
                                  const std::vector<std::string>& folders, const std::string& option) {
   make_output_directory(directory, option);

@@ -23,6 +23,19 @@ void require_directory(const std::filesystem::path& directory, const std::string
 /// require_directory(), and std::runtime_error, in one line, when it cannot be made or written to.
 void make_output_directory(const std::filesystem::path& directory, const std::string& option = "--out");
 
+/// A directory made as above for files that may come to nothing: where it is empty at the end, it and those
+/// above it that were made for it are removed again.
+class DirectoryToFill {
+ public:
+  explicit DirectoryToFill(const std::filesystem::path& directory, const std::string& option = "--out");
+  ~DirectoryToFill();
+  DirectoryToFill(const DirectoryToFill&) = delete;
+  DirectoryToFill& operator=(const DirectoryToFill&) = delete;
+
+ private:
+  std::vector<std::filesystem::path> made_;  ///< deepest first
+};
+
 /// A directory made as above and this command's own for the life of this object; temporary files of killed
 /// runs are removed from it and its `folders`. Throws results::DirectoryInUse where another program writes
 /// into it.

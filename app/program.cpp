@@ -6,8 +6,8 @@
 
 #include "app/commands/commands.h"
 #include "app/exit_code.h"
-#include "app/options/empty_words.h"
-#include "app/options/unknown_words.h"
+#include "app/options/empty_arguments.h"
+#include "app/options/unknown_arguments.h"
 #include "app/output.h"
 #include "app/shell/program_options.h"
 #include "process/input/shown_value.h"
@@ -25,13 +25,13 @@ std::string in_one_line(const CLI::App* program, const CLI::Error& error) {
     chosen = chosen->get_subcommands().front();
     command += ' ' + chosen->get_name();
   }
-  const std::string wrong = unknown_word(*program).value_or(std::string("diefill: ") + error.what());
+  const std::string wrong = unknown_argument(*program).value_or(std::string("diefill: ") + error.what());
   return process::one_line(wrong, kLongest) + "; " + command + " --help lists the options\n";
 }
 
 /// Whether a word is empty; says so on standard error.
 bool refuse_empty_word(int argc, char** argv) {
-  const auto wrong = empty_word({argv + std::min(argc, 1), argv + argc});
+  const auto wrong = empty_argument({argv + std::min(argc, 1), argv + argc});
   if (wrong) std::fprintf(stderr, "diefill: %s\n", process::one_line(*wrong, 600).c_str());
   return wrong.has_value();
 }

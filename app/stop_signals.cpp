@@ -5,10 +5,10 @@
 namespace diefill::app {
 namespace {
 
-std::atomic<bool> stop_asked{false};
+std::atomic<bool> stop_requested{false};
 
 void ask_to_stop(int) {
-  stop_asked.store(true);
+  stop_requested.store(true);
 }
 
 bool is_ignored(int signal) {
@@ -23,7 +23,7 @@ const std::atomic<bool>& install_stop_handlers() {
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, ask_to_stop);
   for (const int signal : {SIGHUP, SIGPIPE, SIGXFSZ, SIGXCPU})
     if (!is_ignored(signal)) std::signal(signal, ask_to_stop);
-  return stop_asked;
+  return stop_requested;
 }
 
 }  // namespace diefill::app

@@ -22,16 +22,16 @@
 #include "engine/observe/memory_traffic.h"
 #include "process/input/scene_error.h"
 #include "process/input/units.h"
-#include "process/laboratory/race_bed.h"
-#include "process/laboratory/race_law.h"
+#include "process/laboratory/benchmark_bed.h"
+#include "process/laboratory/benchmark_law.h"
 #include "process/setup/predicted_work.h"
 
 namespace diefill::app {
 
 namespace {
 
-using process::laboratory::RaceBed;
-using process::laboratory::read_race_bed;
+using process::laboratory::BenchmarkBed;
+using process::laboratory::read_benchmark_bed;
 using process::laboratory::side_by_side;
 
 struct BenchOptions {
@@ -56,7 +56,7 @@ double resident_bytes() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-engine::Simulation assembled(const process::laboratory::RaceBedState& bed, int threads) {
+engine::Simulation assembled(const process::laboratory::BenchmarkBedState& bed, int threads) {
   engine::SimulationSettings settings = bed.settings;
   settings.threads = threads;
   engine::Simulation simulation(settings, bed.walls);
@@ -121,37 +121,37 @@ void print(const nlohmann::ordered_json& figures) {
 
 /// Refuses a bed that does not fit into memory or that would never end. `grains` of --state; 0: a bed is
 /// generated.
-void refuse_endless(const BenchOptions& options, RaceBed kind, std::size_t grains) {
+void refuse_excessive_work(const BenchOptions& options, BenchmarkBed kind, std::size_t grains) {
   constexpr double kSpheresOfClump = 7;
   const double copies = options.copies * static_cast<double>(options.copies);
-  const double spheres =
-      options.state ? static_cast<double>(grains) * copies * (kind == RaceBed::clumps ? kSpheresOfClump : 1)
-                    : static_cast<double>(options.spheres);
+  const double spheres = options.state ? static_cast<double>(grains) * copies *
+                                             (kind == BenchmarkBed::clumps ? kSpheresOfClump : 1)
+                                       : static_cast<double>(options.spheres);
   const std::string bed = "bench: " + process::number_text(spheres) + " spheres";
   process::refuse_memory(bed, spheres, 0, 0, "use fewer (--spheres, --copies)");
   const double sphere_steps = spheres * options.steps;
-  if (sphere_steps > process::kMostSphereSteps)
+  if (sphere_steps > process::kMaxSphereSteps)
     throw process::SceneError(bed + " over " + std::to_string(options.steps) + " steps are " +
                               process::number_text(sphere_steps) + " sphere-steps, allowed: at most " +
-                              process::number_text(process::kMostSphereSteps) + "; use fewer (--steps)");
+                              process::number_text(process::kMaxSphereSteps) + "; use fewer (--steps)");
 }
 
 /// The grains that the options ask for.
-process::laboratory::RaceBedState wanted_grains(const BenchOptions& options) {
-  const RaceBed kind = options.bed == "spheres" ? RaceBed::spheres : RaceBed::clumps;
+process::laboratory::BenchmarkBedState wanted_grains(const BenchOptions& options) {
+  const BenchmarkBed kind = options.bed == "spheres" ? BenchmarkBed::spheres : BenchmarkBed::clumps;
   if (!options.state) {
-    refuse_endless(options, kind, 0);
-    return process::laboratory::loose_race_bed(kind, options.spheres);
+    refuse_excessive_work(options, kind, 0);
+    return process::laboratory::loose_benchmark_bed(kind, options.spheres);
   }
-  const auto bed = read_race_bed(kind, *options.state, 1e-3 * options.width);
-  refuse_endless(options, kind, bed.grains.size());
+  const auto bed = read_benchmark_bed(kind, *options.state, 1e-3 * options.width);
+  refuse_excessive_work(options, kind, bed.grains.size());
   return side_by_side(bed, options.copies);
 }
 
 /// The bed that the options ask for.
-process::laboratory::RaceBedState wanted_bed(const BenchOptions& options) {
+process::laboratory::BenchmarkBedState wanted_bed(const BenchOptions& options) {
   auto bed = wanted_grains(options);
-  process::laboratory::set_race_law(bed, options.law);
+  process::laboratory::set_benchmark_law(bed, options.law);
   return bed;
 }
 
@@ -172,12 +172,12 @@ std::vector<std::string> words_of_bench(const BenchOptions& options) {
 
 /// The same measurement with the words of the command line.
 int against_copies(const BenchOptions& options) {
-  CopiesRace race;
-  race.words = words_of_bench(options);
-  race.threads = options.threads;
-  race.repeats = options.repeats;
-  race.json = options.json;
-  return race_against_copies(race);
+  CopiesBenchmark benchmark;
+  benchmark.words = words_of_bench(options);
+  benchmark.threads = options.threads;
+  benchmark.repeats = options.repeats;
+  benchmark.json = options.json;
+  return compare_with_copies(benchmark);
 }
 
 /// What is only said of beds.
@@ -221,7 +221,7 @@ int bench(const BenchOptions& options) {
   if (options.trace) refuse_trace(options);
   if (options.against_copies) return against_copies(options);
   if (options.is_scene()) return bench_scene(options);
-  give_back_freed_memory();
+  release_freed_memory();
   const double before = resident_bytes();
   std::optional<engine::Simulation> simulation;
   simulation.emplace(assembled(wanted_bed(options), options.threads));
@@ -229,7 +229,7 @@ int bench(const BenchOptions& options) {
     trace(*simulation, options.steps, options.every, *options.trace);
     return kDone;
   }
-  const int settling = options.state ? kWarmUp : process::laboratory::kRaceBedFall;
+  const int settling = options.state ? kWarmUp : process::laboratory::kBenchmarkBedFall;
   for (int k = 0; k < settling; ++k) simulation->step();
   show(options, timed(*simulation, options.steps, resident_bytes() - before));
   return kDone;
@@ -246,7 +246,7 @@ void add_bench(CLI::App& program, Action& chosen) {
       ->required()
       ->check(one_of({"spheres", "clumps"}) | CLI::ExistingFile);
   command->add_option("--law", options->law, "contact law: the tuned one, or one composed of parts")
-      ->check(one_of(process::laboratory::race_laws()))
+      ->check(one_of(process::laboratory::benchmark_laws()))
       ->capture_default_str();
   command
       ->add_option("--state", options->state,

@@ -1,9 +1,9 @@
 #include <cstdio>
 
+#include "app/backup_notes.h"
 #include "app/commands/commands.h"
 #include "app/commands/live_jobs.h"
 #include "app/exit_code.h"
-#include "app/kept_notes.h"
 #include "app/options/numbers.h"
 #include "app/options/output_file.h"
 #include "app/output.h"
@@ -11,6 +11,7 @@
 #include "app/stop_signals.h"
 #include "app/tables/calibration_table.h"
 #include "process/calibration/calibrate.h"
+#include "process/calibration/check_cavities.h"
 #include "process/calibration/screen.h"
 #include "process/results/storage/atomic_file.h"
 #include "render/report/calibration_report.h"
@@ -62,14 +63,14 @@ calibration::CalibrateOptions options_of(const CalibrateArguments& arguments,
   if (!arguments.export_to.empty()) options.open_runs = calibration::OpenRuns::write;
   if (!arguments.collect_from.empty()) options.open_runs = calibration::OpenRuns::leave_out;
   options.points.directory = directory;
-  options.points.say = print_note;
+  options.points.on_note = print_note;
   options.points.jobs.program = std::filesystem::read_symlink("/proc/self/exe");
   options.points.jobs.at_once = arguments.jobs;
   options.points.jobs.threads = arguments.threads;
   options.points.jobs.pictures = false;
   options.points.jobs.show_progress = !arguments.quiet;
   if (arguments.budget > 0) options.points.jobs.cpu_seconds = 60 * arguments.budget;
-  if (!arguments.quiet) options.tell = print_note;
+  if (!arguments.quiet) options.on_note = print_note;
   return options;
 }
 
@@ -114,6 +115,10 @@ int calibrate(const CalibrateArguments& arguments) {
   if (!arguments.screen) calibration::check_enough_data(plan);
   const std::filesystem::path directory = directory_of(arguments);
   refuse_directory(directory, arguments);
+  if (arguments.collect_from.empty()) {
+    process::Progress progress(!arguments.quiet);
+    calibration::check_cavities(plan, progress.callback());
+  }
   require_other_files("--out", directory, {"powder.toml"}, {arguments.file});
   const OutputDirectory output(directory, {"tools"}, arguments.export_to.empty() ? "--out" : "--export-jobs");
   auto options = options_of(arguments, directory);

@@ -144,8 +144,8 @@ Predicted counted(const process::Scene& scene, const process::Tooling& tooling) 
 }
 
 Predicted predicted_of(const process::Scene& scene, const process::Tooling& tooling) {
-  constexpr std::size_t kMostPlaced = 1000000;  // spheres
-  return spheres_to_pour(scene) <= kMostPlaced ? placed(scene, tooling) : counted(scene, tooling);
+  constexpr std::size_t kMaxPlaced = 1000000;  // spheres
+  return spheres_to_pour(scene) <= kMaxPlaced ? placed(scene, tooling) : counted(scene, tooling);
 }
 
 nlohmann::ordered_json as_json(const Predicted& predicted) {

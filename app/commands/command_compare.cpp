@@ -1,20 +1,20 @@
 #include <cstdio>
 #include <thread>
 
+#include "app/backup_notes.h"
 #include "app/commands/commands.h"
 #include "app/commands/live_jobs.h"
 #include "app/commands/renderer_choice.h"
 #include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
-#include "app/kept_notes.h"
 #include "app/options/numbers.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/stop_signals.h"
 #include "app/tables/comparison_table.h"
+#include "process/compare/backups.h"
 #include "process/compare/collect.h"
 #include "process/compare/job_folder.h"
-#include "process/compare/kept_aside.h"
 #include "process/compare/run_jobs.h"
 #include "process/measured_data/compare_with_measured.h"
 
@@ -68,7 +68,7 @@ int gather(const std::filesystem::path& directory, const std::vector<process::Me
   const auto comparison = process::collect(directory, measures_against(measured));
   std::vector<std::filesystem::path> written = {"comparison.json", "comparison.csv"};
   write_output([&] {
-    note_moved_results(process::keep_earlier_tables(directory, comparison));
+    note_moved_results(process::back_up_earlier_tables(directory, comparison));
     results::write_comparison(directory, comparison);
     for (const auto& picture : draw(directory, comparison)) written.push_back(picture.filename());
   });

@@ -33,8 +33,8 @@ double diameter(const std::string& text) {
   } catch (const process::UnitError& error) {
     throw process::SceneError(found + ": " + error.what());
   }
-  constexpr double kLeast = 1e-6, kMost = 1e-2;
-  if (value < kLeast || value > kMost) throw process::SceneError(found + ", allowed: 1 um to 10 mm");
+  constexpr double kMin = 1e-6, kMax = 1e-2;
+  if (value < kMin || value > kMax) throw process::SceneError(found + ", allowed: 1 um to 10 mm");
   return value;
 }
 
@@ -46,7 +46,7 @@ int run_estimate(const EstimateArguments& arguments) {
   auto began = std::chrono::steady_clock::now();
   const auto tooling = [&] {
     process::Progress progress(true);
-    return process::read_tooling(scene, progress.listener());
+    return process::read_tooling(scene, progress.callback());
   }();
   const double reading = seconds_since(began);
   began = std::chrono::steady_clock::now();

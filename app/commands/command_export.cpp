@@ -23,9 +23,9 @@ namespace {
 
 using render::PointArray;
 
-/// Over the cavity, or all powder where there is none; at most kMostPoints along an axis.
+/// Over the cavity, or all powder where there is none; at most kMaxPoints along an axis.
 render::PointGrid grid_over(const results::FillResult& result, double spacing) {
-  constexpr int kMostPoints = 400;
+  constexpr int kMaxPoints = 400;
   Eigen::Vector3d lower = result.cavity.lower_corner, upper = result.cavity.upper_corner;
   if (!(result.cavity.volume > 0)) {
     lower.setConstant(std::numeric_limits<double>::max());
@@ -37,7 +37,7 @@ render::PointGrid grid_over(const results::FillResult& result, double spacing) {
   }
   render::PointGrid grid;
   grid.origin = lower;
-  grid.spacing = std::max(spacing, (upper - lower).maxCoeff() / (kMostPoints - 1));
+  grid.spacing = std::max(spacing, (upper - lower).maxCoeff() / (kMaxPoints - 1));
   grid.counts = ((upper - lower) / grid.spacing).array().ceil().cast<int>() + 1;
   return grid;
 }
@@ -66,7 +66,7 @@ std::vector<PointArray> grid_arrays(const results::FillResult& result, const ren
 std::vector<std::filesystem::path> write_powder(const results::FillResult& result,
                                                 const std::filesystem::path& out, const FieldWriter& fields) {
   process::Progress progress(true);
-  auto written = write_filling_series(result, out, out / "filling.pvd", fields, progress.listener());
+  auto written = write_filling_series(result, out, out / "filling.pvd", fields, progress.callback());
   if (!written.empty()) return written;
   render::write_points(out / "powder.vtp", result.powder.position, grain_arrays(result));
   return {out / "powder.vtp"};

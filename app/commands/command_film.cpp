@@ -7,10 +7,10 @@
 #include <thread>
 #include <tuple>
 
+#include "app/backup_notes.h"
 #include "app/commands/film_command.h"
 #include "app/commands/view_options.h"
 #include "app/exit_code.h"
-#include "app/kept_notes.h"
 #include "app/options/numbers.h"
 #include "app/options/output_file.h"
 #include "app/output.h"
@@ -44,9 +44,9 @@ struct FilmArguments {
 };
 
 PictureRequest request_of(const FilmArguments& arguments) {
-  if (arguments.directories.size() > kMostRunsInAFilm)
+  if (arguments.directories.size() > kMaxRunsInAFilm)
     throw process::SceneError("DIR: found " + std::to_string(arguments.directories.size()) +
-                              " directories, at most " + std::to_string(kMostRunsInAFilm) +
+                              " directories, at most " + std::to_string(kMaxRunsInAFilm) +
                               " go into one film");
   PictureRequest request;
   const auto names = source_names({arguments.directories.begin(), arguments.directories.end()});

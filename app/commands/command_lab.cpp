@@ -65,7 +65,7 @@ void print(const results::ExperimentResult& result) {
 results::ExperimentResult perform_telling(const Experiment& one,
                                           process::laboratory::ExperimentOptions options) {
   process::Progress progress(true);
-  options.tell = progress.listener();
+  options.on_progress = progress.callback();
   return process::laboratory::perform(one, options);
 }
 

@@ -11,6 +11,7 @@
 #include "app/exit_code.h"
 #include "app/options/numbers.h"
 #include "app/options/quantities.h"
+#include "app/options/results_directories.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/pictures/picture_kinds.h"
@@ -21,13 +22,14 @@
 #include "process/measured_data/compare_with_measured.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/result_file.h"
+#include "process/results/studies/measured_files.h"
 #include "render/report/measured_section.h"
 
 namespace diefill::app {
 
 namespace {
 
-constexpr long long kMostCavities = 1000000;
+constexpr long long kMaxCavities = 1000000;
 
 struct MapArguments {
   std::vector<std::string> directories, pictures, origin, measured, y;
@@ -122,6 +124,10 @@ PictureRequest request_of(const MapArguments& arguments) {
     std::string when = with_number("t = %.3f s", result.powder.time);
     request.sources.push_back({names[k], std::move(result), std::move(when)});
   }
+  std::vector<ReadDirectory> read;
+  for (std::size_t k = 0; k < request.sources.size(); ++k)
+    read.push_back({arguments.directories[k], &request.sources[k].result});
+  require_no_copies("DIR", read);
   const auto& first = request.sources.front().result;
   request.out = arguments.out.empty() ? arguments.directories.front() : arguments.out;
   request.averaging_width = width_for(arguments.averaging_width, request.sources);
@@ -156,8 +162,20 @@ int standard_pictures(PictureRequest& request) {
   return kDone;
 }
 
+/// A user's own data may be called as the tables are.
+void refuse_foreign_files(const PictureRequest& request, const std::vector<process::MeasuredFile>& measured) {
+  for (const auto& file : measured)
+    if (const auto foreign = results::foreign_measured_file(request.out, file.file.stem().string()))
+      throw process::SceneError(
+          "--measured: found \"" + file.file.string() + "\", whose comparison would replace " +
+          foreign->string() +
+          ", which is not of an earlier comparison; rename that file, or choose another "
+          "directory with --out");
+}
+
 /// Pictures and tables of the result beside what was measured, and the statistics on the terminal.
 int against_measured(const PictureRequest& request, const std::vector<process::MeasuredFile>& measured) {
+  refuse_foreign_files(request, measured);
   set_up_drawing();
   for (const auto& file : measured) {
     const auto comparison = process::compare_with_measured(file, request.sources.front().result);
@@ -213,7 +231,7 @@ int map(MapArguments arguments) {
   if (arguments.pictures.empty() && arguments.directories.size() > 1)
     throw process::SceneError("several results directories: add --picture to choose what to draw");
   PictureRequest request = request_of(arguments);
-  make_output_directory(request.out);
+  const DirectoryToFill filled(request.out);
   if (!arguments.measured.empty()) return against_measured(request, measured);
   if (arguments.pictures.empty()) return standard_pictures(request);
   set_up_drawing();
@@ -250,7 +268,7 @@ void add_place_options(CLI::App& command, MapArguments& arguments) {
       .add_option(
           "--cavity", arguments.cavity,
           "cavity to draw, by its number in the report; use --out to keep the pictures of the largest")
-      ->check(whole_number(1, kMostCavities))
+      ->check(whole_number(1, kMaxCavities))
       ->capture_default_str();
   command.add_option("--averaging-width", arguments.averaging_width,
                      "Gaussian width sigma of the averaging, such as '1 mm' (default: the larger of 0.5 mm "

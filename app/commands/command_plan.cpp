@@ -15,8 +15,8 @@
 #include "app/tables/json_text.h"
 #include "app/tables/plan_report.h"
 #include "app/tables/rank_report.h"
-#include "process/estimate/mouth.h"
-#include "process/plan/kept_pilot.h"
+#include "process/estimate/openings.h"
+#include "process/plan/pilot_cache.h"
 #include "process/tooling/progress.h"
 
 namespace diefill::app {
@@ -73,9 +73,9 @@ int plan_variants(const PlanArguments& arguments, process::plan::PlanOptions opt
   const std::string title = process::read_scene(arguments.scene).title;
   const auto comparison = [&] {
     process::Progress progress(true);
-    options.tell = progress.listener();
-    options.pilot_starts = [&progress] { progress.say(kPilotStarts); };
-    give_back_freed_memory();
+    options.on_progress = progress.callback();
+    options.pilot_starts = [&progress] { progress.note(kPilotStarts); };
+    release_freed_memory();
     return process::plan::forecast_comparison(chosen_variants(arguments.scene, arguments.setting), options);
   }();
   if (arguments.json)
@@ -85,30 +85,39 @@ int plan_variants(const PlanArguments& arguments, process::plan::PlanOptions opt
   return kDone;
 }
 
-int plan(const PlanArguments& arguments) {
+process::plan::PlanOptions plan_options(const PlanArguments& arguments) {
   process::plan::PlanOptions options;
   options.threads = arguments.threads > 0
                         ? arguments.threads
                         : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   options.pilot = !arguments.no_benchmark;
-  options.pilots = process::plan::folder_of_pilots();
+  options.pilots = process::plan::pilot_cache_folder();
   options.new_pilot = arguments.new_pilot;
+  return options;
+}
+
+/// The plan of one scene and, once the tools are read, its estimate.
+process::plan::Plan plan_scene(const PlanArguments& arguments, process::plan::PlanOptions options,
+                               std::optional<process::estimate::Estimate>& estimate) {
+  std::optional<process::Progress> progress(std::in_place, true);
+  options.on_progress = progress->callback();
+  options.tools_ready = [&](const process::Scene& scene, const process::Tooling& tooling) {
+    estimate = process::estimate::estimate(scene, tooling);
+    options.on_progress = process::ignore_progress;
+    progress.reset();  // its bar goes before something else is said
+    if (!arguments.json) print_estimate_first(scene, *estimate);
+  };
+  options.pilot_starts = [] { process::Progress(true).note(kPilotStarts); };
+  options.narrowest_opening = process::estimate::narrowest_hole;
+  release_freed_memory();  // as the runs will whose memory is predicted
+  return process::plan::make_plan(changed_scene(arguments.scene, arguments.changes), options);
+}
+
+int plan(const PlanArguments& arguments) {
+  const process::plan::PlanOptions options = plan_options(arguments);
   if (arguments.variants) return plan_variants(arguments, options);
   std::optional<process::estimate::Estimate> estimate;
-  const auto plan = [&] {
-    std::optional<process::Progress> progress(std::in_place, true);
-    options.tell = progress->listener();
-    options.tools_ready = [&](const process::Scene& scene, const process::Tooling& tooling) {
-      estimate = process::estimate::estimate(scene, tooling);
-      options.tell = process::tell_nobody;
-      progress.reset();  // its bar goes before something else is said
-      if (!arguments.json) print_estimate_first(scene, *estimate);
-    };
-    options.pilot_starts = [] { process::Progress(true).say(kPilotStarts); };
-    options.narrowest_opening = process::estimate::narrowest_hole;
-    give_back_freed_memory();  // as the runs will whose memory is predicted
-    return process::plan::make_plan(changed_scene(arguments.scene, arguments.changes), options);
-  }();
+  const process::plan::Plan plan = plan_scene(arguments, options, estimate);
   std::optional<process::plan::Choice> in_time;
   std::optional<std::size_t> in_error;
   if (arguments.minutes) in_time = process::plan::finest_within(plan, *arguments.minutes);
@@ -132,6 +141,16 @@ int plan(const PlanArguments& arguments) {
   print_json(json);
   return kDone;
 }
+
+constexpr const char* kPlanFooter =
+    "Reads the tools, begins with what diefill estimate says, runs the scene with less and coarser powder "
+    "for about\nten seconds (once a machine: the pilot is kept in ~/.cache/diefill/pilots), and prints what "
+    "the scene needs and what it would cost as written and with the settings quick, working and reference "
+    "(diefill run --setting).\n"
+    "Examples:\n  diefill plan sample_tools/narrow_ring/fill.toml\n"
+    "  diefill plan my_die.toml --minutes 60\n"
+    "  diefill plan my_die.toml --json --no-benchmark\n"
+    "  diefill plan sample_tools/stepped_ring/strategies.toml --variants --setting quick";
 
 }  // namespace
 
@@ -169,17 +188,7 @@ void add_plan(CLI::App& program, Action& chosen) {
   add_changes(*command, arguments->changes);
   variants->excludes("--set");
   command->add_flag("--json", arguments->json, "print JSON, SI units");
-  command->footer(
-      "Reads the tools, begins with what diefill estimate says, runs the scene with less and coarser powder "
-      "for "
-      "about\nten seconds (once a machine: the pilot is kept in ~/.cache/diefill/pilots), and prints what "
-      "the "
-      "scene needs and what it would cost as written and with the settings quick, working and reference "
-      "(diefill run --setting).\n"
-      "Examples:\n  diefill plan sample_tools/narrow_ring/fill.toml\n"
-      "  diefill plan my_die.toml --minutes 60\n"
-      "  diefill plan my_die.toml --json --no-benchmark\n"
-      "  diefill plan sample_tools/stepped_ring/strategies.toml --variants --setting quick");
+  command->footer(kPlanFooter);
   command->callback([arguments, &chosen] { chosen = [arguments] { return plan(*arguments); }; });
 }
 

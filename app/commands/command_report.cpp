@@ -92,13 +92,16 @@ void add_runs(std::vector<FoundRun>& runs, const fs::path& directory) {
 std::vector<render::report::Run> runs_in(const std::vector<std::string>& directories) {
   std::vector<FoundRun> found;
   for (const auto& directory : directories) add_runs(found, directory);
-  std::map<std::string, std::vector<fs::path>> of_strategy;
-  std::vector<render::report::Run> runs;
-  for (auto& one : found) {
-    of_strategy[one.run.strategy].push_back(std::move(one.directory));
-    runs.push_back(std::move(one.run));
+  std::map<std::string, std::vector<fs::path>> places;
+  std::map<std::string, std::vector<ReadDirectory>> results;
+  for (const auto& one : found) {
+    places[one.run.strategy].push_back(one.directory);
+    results[one.run.strategy].push_back({one.directory, &one.run.result});
   }
-  for (const auto& [strategy, places] : of_strategy) require_distinct("DIR", places);
+  for (const auto& [strategy, of_strategy] : places) require_distinct("DIR", of_strategy);
+  for (const auto& [strategy, of_strategy] : results) require_no_copies("DIR", of_strategy);
+  std::vector<render::report::Run> runs;
+  for (auto& one : found) runs.push_back(std::move(one.run));
   return runs;
 }
 
@@ -145,9 +148,10 @@ class ExtrasWithProgress {
 
   render::report::ViewExtras operator()(const results::FillResult& result) {
     const double before = done_++;
-    const auto tell = progress_->listener();
-    return view_extras(
-        result, [&](double share, const std::string& doing) { tell((before + share) / runs_, doing); });
+    const auto on_progress = progress_->callback();
+    return view_extras(result, [&](double share, const std::string& doing) {
+      on_progress((before + share) / runs_, doing);
+    });
   }
 
  private:

@@ -20,16 +20,16 @@
 #include "app/tables/check_report.h"
 #include "app/tables/run_summary.h"
 #include "process/cluster/rank_limits.h"
-#include "process/estimate/mouth.h"
+#include "process/estimate/openings.h"
 #include "process/input/scene_error.h"
 #include "process/plan/expected_error.h"
 #include "process/powder/material.h"
 #include "process/results/figure_table.h"
 #include "process/results/probe_table.h"
-#include "process/results/storage/group_names.h"
 #include "process/results/storage/result_file.h"
 #include "process/run/assemble.h"
 #include "process/run/outcome.h"
+#include "process/scene/snapshot_folder.h"
 
 namespace diefill::app {
 
@@ -116,7 +116,7 @@ int run_samples(const RunArguments& arguments, const process::Scene& scene,
 auto snapshot_writer(const process::Scene& scene, const process::Tooling& tooling,
                      const std::filesystem::path& directory) {
   return [&, directory](const process::FillRun& under_way, const std::string& name) {
-    const auto folder = directory / "snapshots" / results::group_names({name}).front();
+    const auto folder = directory / "snapshots" / process::snapshot_folder(name);
     write_output([&] {
       const auto snapshot = process::assemble(scene, tooling, under_way);
       results::write_results(folder, snapshot);
@@ -139,8 +139,10 @@ void run_watched(process::FillRun& fill, LiveRun& live) {
 
 /// Writes all results and says where they are. Returns the exit code.
 int deliver(const RunArguments& arguments, const process::Scene& scene, const process::Tooling& tooling,
-            const std::filesystem::path& directory, const process::FillRun& fill) {
+            const std::vector<process::InputFile>& files, const std::filesystem::path& directory,
+            const process::FillRun& fill) {
   auto result = process::assemble(scene, tooling, fill);
+  add_input_files(files, result);
   note_expected_errors(scene, tooling, result);
   std::vector<std::filesystem::path> pictures, series;
   write_output([&] {
@@ -164,9 +166,10 @@ int deliver(const RunArguments& arguments, const process::Scene& scene, const pr
 
 int run(const RunArguments& arguments) {
   process::Scene scene = chosen_scene(arguments.scene, arguments.setting, arguments.changes);
+  const auto files = process::input_files(scene.text, scene.file);  // as they are now, not at the end
   if (arguments.ranks.ranks > 0) return run_on_ranks(arguments.ranks, scene);
   if (step_engine() != nullptr) {
-    process::cluster::refuse_what_ranks_cannot(scene);
+    process::cluster::refuse_unsupported_on_ranks(scene);
     if (arguments.samples.powders > 0)
       throw process::SceneError("--powder-samples runs many scenes and is not supported on ranks");
   }
@@ -174,6 +177,7 @@ int run(const RunArguments& arguments) {
   require_directory(options.directory);
   if (!arguments.shared_starts.empty()) require_directory(arguments.shared_starts, "--beginnings");
   if (arguments.samples.powders > 0) return run_samples(arguments, scene, options.directory);
+  refuse_inputs_to_be_moved(scene, options.directory);
   std::optional<OutputDirectory> output;
   // Before work that would be lost if a second run were refused.
   if (std::filesystem::exists(options.directory)) output.emplace(options.directory);
@@ -182,16 +186,16 @@ int run(const RunArguments& arguments) {
   if (arguments.resume && is_finished(options.directory, scene, tooling)) return kDone;
   options.snapshot = snapshot_writer(scene, tooling, options.directory);
   LiveRun live(scene, tooling, options.directory, !arguments.no_pictures);
-  options.watch = [&live](const process::FillRun& under_way) { live.look(under_way); };
-  give_back_freed_memory();
+  options.watch = [&live](const process::FillRun& under_way) { live.update(under_way); };
+  release_freed_memory();
   options.stop = &install_stop_handlers();
   process::FillRun fill(scene, tooling, options);  // refuses what cannot be begun, in one line
   print_alerts(words_of(process::setup_findings(scene, tooling)));
   if (!output) output.emplace(options.directory);
   if (!options.shared_starts.empty()) make_output_directory(options.shared_starts, "--beginnings");
-  keep_earlier_results(options.directory, arguments.resume);
+  back_up_earlier_results(options.directory, arguments.resume);
   run_watched(fill, live);
-  return deliver(arguments, scene, tooling, options.directory, fill);
+  return deliver(arguments, scene, tooling, files, options.directory, fill);
 }
 
 void add_powder_samples(CLI::App& command, PowderSampleArguments& samples) {
@@ -244,7 +248,7 @@ void add_run(CLI::App& program, Action& chosen) {
       "(process/cluster/README.md)\n"
       "  diefill run my_die.toml --powder-samples 12 --jobs 2      what the powder's uncertainty does to the "
       "filling\n"
-      "Files of an earlier run in the directory are moved to its folder previous-1, previous-2, ...\n"
+      "Earlier results and pictures in the directory are moved to its folder previous-1, previous-2, ...\n"
       "Exit codes: 0 done, 1 failed, 2 bad input, 3 valid range of the method exceeded, 4 unfinished: "
       "numerics.max_time\nended before the scene (results cover the simulated time; resume with a larger "
       "one), 130 stopped (can be\nresumed).");

@@ -4,16 +4,16 @@
 #include <cstdio>
 #include <thread>
 
+#include "app/backup_notes.h"
 #include "app/commands/commands.h"
 #include "app/commands/live_jobs.h"
 #include "app/exit_code.h"
-#include "app/kept_notes.h"
 #include "app/options/numbers.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/stop_signals.h"
 #include "app/tables/tradeoff_table.h"
-#include "process/compare/kept_aside.h"
+#include "process/compare/backups.h"
 #include "process/input/shell_word.h"
 #include "process/results/studies/tradeoff.h"
 #include "process/scene/folder_names.h"
@@ -74,7 +74,7 @@ process::TradeoffOptions options_of(const TradeoffArguments& arguments) {
   options.reference = arguments.reference;
   options.variants = arguments.variants;
   options.command = command_text(arguments);
-  options.say = print_note;
+  options.on_note = print_note;
   options.jobs.program = std::filesystem::read_symlink("/proc/self/exe");
   options.jobs.at_once = arguments.jobs;
   options.jobs.threads = arguments.threads;
@@ -102,7 +102,7 @@ std::vector<std::string> write_all(const std::filesystem::path& directory,
                                    const results::Tradeoff& tradeoff) {
   std::vector<std::string> written = {"tradeoff.csv", "tradeoff.json"};
   write_output([&] {
-    note_moved_results(process::keep_earlier_tables(directory, tradeoff));
+    note_moved_results(process::back_up_earlier_tables(directory, tradeoff));
     results::write_tradeoff(directory, tradeoff);
     if (!any_result(tradeoff)) return;
     set_up_drawing();
@@ -119,7 +119,7 @@ std::vector<std::string> write_all(const std::filesystem::path& directory,
 
 int trade_off(const TradeoffArguments& arguments) {
   const auto scene = process::read_scene(arguments.scene);
-  process::refuse_endless(scene);
+  process::refuse_excessive_work(scene);
   auto options = options_of(arguments);
   require_directory(options.directory);
   std::vector<process::KnobValues> knobs;

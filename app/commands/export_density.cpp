@@ -6,8 +6,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/backup_notes.h"
 #include "app/commands/measured_region.h"
-#include "app/kept_notes.h"
 #include "app/options/choices.h"
 #include "app/options/numbers.h"
 #include "app/options/output_file.h"
@@ -77,6 +77,9 @@ double cavity_mass(const results::FillResult& result, const DensityOptions& opti
   if (options.mass == "filled") {
     const double mass = process::filled_mass(result.powder, result.solid_fraction);
     if (mass > 0) return mass;
+    if (!(result.cavity.volume > 0))
+      throw process::SceneError(
+          "--mass filled: the results have no cavity whose mass is known; give the mass, such as '12.3 g'");
     throw process::SceneError(
         "--mass filled: the cavity holds no powder; fill it, or give the mass, such as '12.3 g'");
   }
@@ -112,11 +115,11 @@ process::ElementDensity density_of(const results::FillResult& result, const resu
 
 /// "17, 18, 23 and 4 more".
 std::string list_text(const std::vector<std::uint64_t>& numbers) {
-  constexpr std::size_t kMost = 20;
+  constexpr std::size_t kMax = 20;
   std::string text;
-  for (std::size_t n = 0; n < std::min(kMost, numbers.size()); ++n)
+  for (std::size_t n = 0; n < std::min(kMax, numbers.size()); ++n)
     text += (n == 0 ? "" : ", ") + std::to_string(numbers[n]);
-  if (numbers.size() > kMost) text += " and " + std::to_string(numbers.size() - kMost) + " more";
+  if (numbers.size() > kMax) text += " and " + std::to_string(numbers.size() - kMax) + " more";
   return text;
 }
 

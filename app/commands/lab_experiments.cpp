@@ -7,10 +7,10 @@
 #include <memory>
 #include <thread>
 
+#include "app/backup_notes.h"
 #include "app/commands/film_command.h"
 #include "app/commands/live_jobs.h"
 #include "app/exit_code.h"
-#include "app/kept_notes.h"
 #include "app/options/choices.h"
 #include "app/options/numbers.h"
 #include "app/options/output_file.h"
@@ -71,7 +71,7 @@ laboratory::LabJobs jobs_of(const LabArguments& arguments, const fs::path& direc
   laboratory::LabJobs jobs;
   jobs.directory = directory;
   jobs.seeds = arguments.seeds;
-  jobs.say = print_note;
+  jobs.on_note = print_note;
   jobs.run = !arguments.collect;
   jobs.options.program = fs::read_symlink("/proc/self/exe");
   jobs.options.at_once = arguments.jobs;
@@ -123,7 +123,7 @@ fs::path all_of(const LabArguments& arguments) {
 /// command that makes one.
 void make_films(const fs::path& directory, const laboratory::SceneExperiment& one,
                 const LabArguments& arguments) {
-  for (const auto& run : one.plan(setting_of(arguments)).own_runs) {
+  for (const auto& run : one.plan(setting_of(arguments)).custom_runs) {
     const fs::path results = directory / run.name / "seed-1";
     if (!fs::exists(results / "results.h5")) continue;
     if (arguments.film && !arguments.quiet) std::fprintf(stderr, "film of %s\n", run.name.c_str());
@@ -160,10 +160,11 @@ int fidelity(LabArguments arguments) {
   set_up_drawing();
   const fs::path scenes = scenes_folder(arguments.scenes), all = all_of(arguments);
   const auto figures = laboratory::read_published_figures(scenes / laboratory::kPublishedFigures);
-  const fs::path room = scenes / "../../process/laboratory";
+  const fs::path table_folder = scenes / "../../process/laboratory";
   fs::path page = arguments.page;
   if (page.empty())
-    page = fs::exists(room) ? fs::weakly_canonical(room) / "FIDELITY.md" : all / "FIDELITY.md";
+    page =
+        fs::exists(table_folder) ? fs::weakly_canonical(table_folder) / "FIDELITY.md" : all / "FIDELITY.md";
   const OutputFile file = {"--page", page, {".md"}};
   require_output_file(file,
                       {scenes / laboratory::kPublishedFigures, scenes / kRemarks, scenes / kComparisons});
@@ -176,7 +177,7 @@ int fidelity(LabArguments arguments) {
   const auto measured = tables_below(all);
   laboratory::take_over(kept, measured);
   auto tables = laboratory::tables_with_kept(kept, measured);
-  for (auto& table : laboratory::family_tables(room)) tables.push_back(std::move(table));
+  for (auto& table : laboratory::family_tables(table_folder)) tables.push_back(std::move(table));
   tables.push_back(laboratory::compared_figures(scenes / kComparisons, figures));
   write_output([&] {
     results::write_text_atomically(values, laboratory::csv_of(kept));

@@ -19,12 +19,12 @@ std::string percent(double share) {
 }
 
 /// "12 min left"; nothing where nothing tells.
-std::string time_left(const process::JobsUnderWay& all) {
+std::string time_left(const process::JobListProgress& all) {
   const double done = all.share - all.first_share;
   return done > 0 ? ", " + process::duration_text(all.seconds * (1 - all.share) / done) + " left" : "";
 }
 
-render::report::LivePage page_of(const process::JobsUnderWay& all, const std::string& title,
+render::report::LivePage page_of(const process::JobListProgress& all, const std::string& title,
                                  const fs::path& directory) {
   render::report::LivePage page;
   page.title = title;
@@ -47,9 +47,9 @@ render::report::LivePage page_of(const process::JobsUnderWay& all, const std::st
 
 }  // namespace
 
-std::function<void(const process::JobsUnderWay&)> live_jobs(const fs::path& directory,
-                                                            const std::string& title) {
-  return [directory, title, given_up = false](const process::JobsUnderWay& all) mutable {
+std::function<void(const process::JobListProgress&)> live_jobs(const fs::path& directory,
+                                                               const std::string& title) {
+  return [directory, title, given_up = false](const process::JobListProgress& all) mutable {
     if (given_up) return;
     try {
       results::write_text_atomically(directory / kLivePage,

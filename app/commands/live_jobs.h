@@ -10,8 +10,8 @@
 namespace diefill::app {
 
 /// For JobOptions::watch: keeps `directory`/live.html under this title. Where the page cannot be written the
-/// runs go on without.
-std::function<void(const process::JobsUnderWay&)> live_jobs(const std::filesystem::path& directory,
-                                                            const std::string& title);
+/// runs continue without it.
+std::function<void(const process::JobListProgress&)> live_jobs(const std::filesystem::path& directory,
+                                                               const std::string& title);
 
 }  // namespace diefill::app

@@ -18,11 +18,11 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-constexpr double kEvery = 5;              // s between pages
-constexpr double kFirstPicture = 10;      // s after the start
-constexpr double kPictureShare = 0.01;    // of the time that drawing may take
-constexpr std::size_t kMostPoints = 400;  // of a curve
-constexpr int kPictureWidth = 1000;       // pixels
+constexpr double kEvery = 5;             // s between pages
+constexpr double kFirstPicture = 10;     // s after the start
+constexpr double kPictureShare = 0.01;   // of the time that drawing may take
+constexpr std::size_t kMaxPoints = 400;  // of a curve
+constexpr int kPictureWidth = 1000;      // pixels
 
 std::string formatted(const char* format, double value) {
   char text[80];
@@ -40,7 +40,7 @@ LiveRun::LiveRun(const process::Scene& scene, const process::Tooling& tooling,
   page_.curves = {{"powder in the cavity", "g", {}, {}}, {"kinetic energy of the powder", "mJ", {}, {}}};
 }
 
-void LiveRun::look(const process::FillRun& run) {
+void LiveRun::update(const process::FillRun& run) {
   if (given_up_ || Seconds(Clock::now() - written_).count() < kEvery) return;
   take(run);
   if (pictures_ && Clock::now() >= next_picture_) draw(run);
@@ -79,7 +79,7 @@ void LiveRun::take(const process::FillRun& run) {
 /// Of every two points the later one stays.
 void LiveRun::thin_out() {
   for (auto& curve : page_.curves) {
-    if (curve.x.size() <= kMostPoints) continue;
+    if (curve.x.size() <= kMaxPoints) continue;
     for (auto* numbers : {&curve.x, &curve.y}) {
       for (std::size_t k = 0; 2 * k + 1 < numbers->size(); ++k) (*numbers)[k] = (*numbers)[2 * k + 1];
       numbers->resize(numbers->size() / 2);

@@ -22,7 +22,7 @@ class LiveRun {
           bool pictures);
 
   /// To be called often (RunOptions::watch).
-  void look(const process::FillRun& run);
+  void update(const process::FillRun& run);
   /// The last page: how the run ended, for people.
   void end(const process::FillRun& run, const std::string& how, bool done);
 

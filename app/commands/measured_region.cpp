@@ -47,7 +47,7 @@ double largest_edge(const results::FillResult& result) {
 }
 
 double averaging_width_of(const std::string& given, const std::vector<const results::FillResult*>& results) {
-  constexpr double kLeast = 0.1;  // of a grain: below, nearly every point lies between grains
+  constexpr double kMin = 0.1;  // of a grain: below, nearly every point lies between grains
   double usual = 0, finest = std::numeric_limits<double>::max(), largest = 0;
   for (const auto* result : results) {
     const double diameter = result->powder.grain_diameter;
@@ -57,7 +57,7 @@ double averaging_width_of(const std::string& given, const std::vector<const resu
   }
   if (given.empty()) return usual;
   return bounded_quantity("--averaging-width", given, process::Dimension::length,
-                          {kLeast * finest, std::max(usual, largest), false,
+                          {kMin * finest, std::max(usual, largest), false,
                            "from a tenth of a grain to the largest edge of the cavity"});
 }
 

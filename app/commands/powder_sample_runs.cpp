@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <thread>
 
+#include "app/backup_notes.h"
 #include "app/exit_code.h"
-#include "app/kept_notes.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/stop_signals.h"

@@ -16,7 +16,7 @@ struct PowderSampleArguments {
   bool quiet = false;
 };
 
-/// Runs them in `directory`, goes on with runs that are there, and writes the report. Returns the exit code.
+/// Runs them in `directory`, resumes runs that are there, and writes the report. Returns the exit code.
 int run_powder_samples(const process::Scene& scene, const std::filesystem::path& directory,
                        const PowderSampleArguments& arguments);
 

@@ -12,6 +12,7 @@
 #include "process/plan/setting.h"
 #include "process/plan/variant_setting.h"
 #include "process/powder/material.h"
+#include "process/scene/given_changes.h"
 #include "process/scene/scene_text.h"
 #include "process/setup/build_tooling.h"
 #include "process/setup/predicted_work.h"
@@ -42,7 +43,7 @@ class Ticker {
   Ticker(process::Progress& progress, bool wanted) : progress_(progress) {
     if (wanted) thread_ = std::jthread([this](const std::stop_token& stop) { tick(stop); });
   }
-  void tell(double share, const std::string& doing) {
+  void show(double share, const std::string& doing) {
     const std::lock_guard lock(mutex_);
     share_ = share;
     doing_ = doing;
@@ -74,7 +75,7 @@ CLI::Option* add_setting(CLI::App& command, std::string& setting) {
                             "spacing and fill height instead of those of the scene");
 }
 
-void say_what_was_chosen(const process::Scene& scene) {
+void print_setting_choices(const process::Scene& scene) {
   const auto chosen = process::chosen_in(scene.text);
   for (std::size_t k = 0; k < chosen.size(); ++k)
     std::fprintf(stderr, k == 0 ? "%s:\n" : "  %s\n", chosen[k].c_str());
@@ -90,6 +91,7 @@ CLI::Option* add_changes(CLI::App& command, std::vector<std::string>& changes) {
 
 process::Scene changed_scene(const std::string& file, const std::vector<std::string>& changes) {
   if (changes.empty()) return process::read_scene(file);
+  process::refuse_changes_of_nothing(changes);
   process::SceneChanges wanted;
   for (const auto& change : changes) wanted.set += change + '\n';
   return process::changed_scene(process::load_scene_text(file), file, wanted);
@@ -109,8 +111,8 @@ process::Scene chosen_scene(const std::string& file, const std::string& setting,
   std::optional<process::Setting> wanted;
   if (!setting.empty()) wanted = process::setting_named(setting);
   auto scene = process::plan::settled_scene(changed_scene(file, changes), wanted);
-  process::refuse_endless(scene);
-  say_what_was_chosen(scene);
+  process::refuse_excessive_work(scene);
+  print_setting_choices(scene);
   return scene;
 }
 
@@ -118,7 +120,7 @@ std::vector<process::Variant> chosen_variants(const std::string& file, const std
   auto variants = process::read_variants(file);
   if (setting.empty()) {
     for (const auto& variant : variants)
-      if (!process::setting_of(variant.scene)) process::refuse_endless(variant.scene);
+      if (!process::setting_of(variant.scene)) process::refuse_excessive_work(variant.scene);
     return variants;
   }
   variants = process::plan::with_setting(std::move(variants), process::setting_named(setting));
@@ -127,7 +129,7 @@ std::vector<process::Variant> chosen_variants(const std::string& file, const std
     const auto chosen = process::chosen_in(variant.scene.text);
     if (chosen == said) continue;
     std::fprintf(stderr, "from \"%s\" on, ", variant.name.c_str());
-    say_what_was_chosen(variant.scene);
+    print_setting_choices(variant.scene);
     said = chosen;
   }
   return variants;
@@ -135,11 +137,11 @@ std::vector<process::Variant> chosen_variants(const std::string& file, const std
 
 process::Tooling prepared_tooling(const process::Scene& scene, bool show_progress) {
   process::Progress progress(show_progress);
-  if (const auto remark = fine_walls(scene)) progress.say(*remark);
+  if (const auto remark = fine_walls(scene)) progress.note(*remark);
   Ticker ticker(progress, show_progress);
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
   return process::build_tooling(scene, sphere, process::largest_grain(scene),
-                                [&](double share, const std::string& doing) { ticker.tell(share, doing); });
+                                [&](double share, const std::string& doing) { ticker.show(share, doing); });
 }
 
 }  // namespace diefill::app

@@ -25,8 +25,8 @@ process::Scene changed_scene(const std::string& file, const std::vector<std::str
 /// The files that the scene is made of: its own, CAD of its tools, tables and shapes that it names.
 std::vector<std::filesystem::path> input_files_of(const process::Scene& scene);
 
-/// Says on standard error what a setting chose and replaced in the scene, if one did.
-void say_what_was_chosen(const process::Scene& scene);
+/// Prints on standard error what a setting chose and replaced in the scene, if one did.
+void print_setting_choices(const process::Scene& scene);
 
 /// Reads the scene with `changes` (of --set). A setting of this name (empty: the scene's own, if it has one)
 /// is turned into numbers, and what it chose is said. Throws process::SceneError.

@@ -22,4 +22,18 @@ void require_distinct(const std::string& what, const std::vector<std::filesystem
   }
 }
 
+void require_no_copies(const std::string& what, const std::vector<ReadDirectory>& directories) {
+  for (std::size_t later = 1; later < directories.size(); ++later)
+    for (std::size_t k = 0; k < later; ++k) {
+      const results::FillResult &one = *directories[k].result, &other = *directories[later].result;
+      if (one.state_hash.empty() || one.state_hash != other.state_hash || one.seed != other.seed ||
+          one.scene_text != other.scene_text)
+        continue;
+      throw process::SceneError(what + ": found \"" + directories[later].directory.string() +
+                                "\" with a copy of the results in \"" + directories[k].directory.string() +
+                                "\" (seed " + std::to_string(one.seed) +
+                                ", same final state); give each run once");
+    }
+}
+
 }  // namespace diefill::app

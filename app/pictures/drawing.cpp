@@ -52,7 +52,8 @@ std::vector<std::filesystem::path> draw(const std::filesystem::path& directory,
                                         const results::Comparison& comparison) {
   std::vector<render::ComparedField> fields;
   for (std::size_t k = 0; k < comparison.variants.size(); ++k)
-    if (!comparison.fields[k].value.empty()) fields.push_back({comparison.variants[k], comparison.fields[k]});
+    if (!comparison.fields[k].value.empty())
+      fields.push_back({comparison.variants[k], comparison.fields[k], comparison.field_seeds[k]});
   if (fields.empty()) return {};
   set_up_drawing();
   const auto png = directory / "comparison.png";

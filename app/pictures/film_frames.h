@@ -10,7 +10,7 @@
 namespace diefill::app {
 
 /// Most runs in one frame: two above two.
-inline constexpr std::size_t kMostRunsInAFilm = 4;
+inline constexpr std::size_t kMaxRunsInAFilm = 4;
 
 /// What the frames of a film have in common. The sources must outlive it. Draws nothing before the first
 /// frame, so that frames can be drawn in processes of their own.

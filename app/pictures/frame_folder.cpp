@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "process/compare/kept_aside.h"
+#include "process/compare/backups.h"
 #include "process/input/scene_error.h"
 
 namespace diefill::app {
@@ -50,10 +50,10 @@ FrameFolder::~FrameFolder() {
   if (path_ != wanted_) fs::remove_all(path_, ignored);
 }
 
-void FrameFolder::keep(const std::function<void(const std::string&)>& say) {
+void FrameFolder::keep(const std::function<void(const std::string&)>& on_note) {
   if (fs::symlink_status(wanted_).type() != fs::file_type::not_found)
-    say("note: " + wanted_.string() + " was there already and is now " +
-        process::set_one_aside(wanted_).string());
+    on_note("note: " + wanted_.string() + " was there already and is now " +
+            process::back_up(wanted_).string());
   fs::permissions(
       path_, fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read | fs::perms::others_exec,
       fs::perm_options::add);

@@ -23,8 +23,8 @@ class FrameFolder {
 
   const std::filesystem::path& path() const { return path_; }
   /// Gives it the wanted name. What has that name is renamed to <name>-previous-1 or the first free number,
-  /// and `say` is told.
-  void keep(const std::function<void(const std::string&)>& say);
+  /// which `on_note` reports.
+  void keep(const std::function<void(const std::string&)>& on_note);
 
  private:
   std::filesystem::path wanted_, path_;

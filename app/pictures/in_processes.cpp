@@ -55,7 +55,7 @@ class Children {
   void add(pid_t child) { running_.push_back(child); }
   bool any() const { return !running_.empty(); }
   /// Takes note of those that have ended. Returns whether they ended well.
-  bool look() {
+  bool poll() {
     bool well = true;
     std::erase_if(running_, [&](pid_t child) {
       int status = 0;
@@ -90,7 +90,7 @@ void in_processes(std::size_t count, std::size_t jobs, const std::atomic<bool>& 
     well = well && process > 0;
   }
   while (children.any() && !stop) {
-    well = children.look() && well;
+    well = children.poll() && well;
     if (children.any()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   if (stop) throw process::Interrupted("stopped before all pictures were drawn; nothing was written");

@@ -123,13 +123,13 @@ std::vector<std::filesystem::path> write_filling_series(const results::FillResul
                                                         const std::filesystem::path& folder,
                                                         const std::filesystem::path& series,
                                                         const FieldWriter& fields,
-                                                        const process::TellProgress& tell) {
+                                                        const process::ProgressCallback& on_progress) {
   if (result.instants.empty()) return {};
   std::filesystem::create_directories(folder);
   SeriesWriter writer(folder, series);
   for (std::size_t n = 0; n < result.instants.size(); ++n) {
-    tell(static_cast<double>(n) / static_cast<double>(result.instants.size()),
-         "writing instant " + std::to_string(n + 1) + " of " + std::to_string(result.instants.size()));
+    on_progress(static_cast<double>(n) / static_cast<double>(result.instants.size()),
+                "writing instant " + std::to_string(n + 1) + " of " + std::to_string(result.instants.size()));
     auto then = process::result_at(result, result.instants[n].time, static_cast<bool>(fields));
     then.contact_stress = {};  // known at the end alone
     writer.powder(then, numbered("powder_%04zu.vtp", n));

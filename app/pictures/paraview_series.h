@@ -25,6 +25,6 @@ using FieldWriter = std::function<void(const results::FillResult& then, const st
 std::vector<std::filesystem::path> write_filling_series(
     const results::FillResult& result, const std::filesystem::path& folder,
     const std::filesystem::path& series, const FieldWriter& fields = {},
-    const process::TellProgress& tell = process::tell_nobody);
+    const process::ProgressCallback& on_progress = process::ignore_progress);
 
 }  // namespace diefill::app

@@ -1,4 +1,4 @@
-// What the makers of pictures share: titles, file names, writing at the width that was asked for.
+// What the makers of pictures share: titles, file names, writing at the requested width.
 #pragma once
 
 #include "app/pictures/picture_kinds.h"
@@ -22,10 +22,10 @@ std::filesystem::path file_of(const PictureRequest& request, const std::string& 
 /// One scale for the fields of all sources, unless the user has given one.
 render::ColourRange shared_range(const PictureRequest& request, const std::vector<results::Field2D>& fields);
 
-/// Layout points to pixels for the width that was asked for.
+/// Layout points to pixels for the requested width.
 double pixels_of(const PictureRequest& request);
 
-/// Writes the picture scaled to exactly the width asked for; returns its path.
+/// Writes the picture scaled to exactly the requested width; returns its path.
 std::filesystem::path write_picture(const PictureRequest& request, const std::filesystem::path& png,
                                     const QImage& image);
 
@@ -36,7 +36,7 @@ std::vector<std::filesystem::path> write_fields(const PictureRequest& request, c
                                                 const std::vector<results::SectionPlane>& planes,
                                                 render::FieldStyle style, const std::string& words = "");
 
-/// Writes a chart of all sources as kind.png, and kind.pdf where that was asked for.
+/// Writes a chart of all sources as kind.png, and kind.pdf where that is requested.
 std::vector<std::filesystem::path> write_chart(const PictureRequest& request, const std::string& kind,
                                                render::Chart chart);
 

@@ -50,7 +50,7 @@ Pictures make_frames(const PictureRequest& request) {
     const auto last = render::choose_view(result, aspect, request.camera);
     if (last.width > options.view->width) options.view = last;
     const auto folder = request.out / file_of(request, "frames", source).stem();
-    make_output_directory(folder);
+    const DirectoryToFill filled(folder);
     for (std::size_t n = 0; n < result.instants.size(); ++n) {
       const auto shown = process::result_at(result, result.instants[n].time, measured);
       colour_grains(options, request.colour_by, shown, result);

@@ -61,7 +61,8 @@ std::vector<double> closed_fractions(const results::GrainSolidFraction& measured
 
 }  // namespace
 
-render::report::ViewExtras view_extras(const results::FillResult& result, const process::TellProgress& tell) {
+render::report::ViewExtras view_extras(const results::FillResult& result,
+                                       const process::ProgressCallback& on_progress) {
   render::report::ViewExtras extras;
   const auto box = cavity_box(result);
   if (!box.isEmpty() && !result.powder.position.empty() && !result.solid_fraction.open.empty())
@@ -69,9 +70,9 @@ render::report::ViewExtras view_extras(const results::FillResult& result, const 
   const std::size_t most = render::report::PackingLimits{}.instants;
   const auto shown = render::report::spread_instants(result.instants.size(), most);
   for (const std::size_t n : shown) {
-    tell(static_cast<double>(extras.fractions.size()) / static_cast<double>(shown.size()),
-         "measuring instant " + std::to_string(extras.fractions.size() + 1) + " of " +
-             std::to_string(shown.size()));
+    on_progress(static_cast<double>(extras.fractions.size()) / static_cast<double>(shown.size()),
+                "measuring instant " + std::to_string(extras.fractions.size() + 1) + " of " +
+                    std::to_string(shown.size()));
     const auto then = process::result_at(result, result.instants[n].time);
     extras.fractions.push_back({n, closed_fractions(then.solid_fraction)});
   }

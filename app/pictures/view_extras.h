@@ -8,7 +8,8 @@
 namespace diefill::app {
 
 /// Measures both. The grid has at most some 70 points along its longest side; points in tools and outside the
-/// powder have no value. Instants are those of spread_instants(); `tell` hears of each.
-render::report::ViewExtras view_extras(const results::FillResult& result, const process::TellProgress& tell);
+/// powder have no value. Instants are those of spread_instants(); `on_progress` is called for each.
+render::report::ViewExtras view_extras(const results::FillResult& result,
+                                       const process::ProgressCallback& on_progress);
 
 }  // namespace diefill::app

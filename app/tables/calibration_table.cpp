@@ -33,11 +33,11 @@ std::string parameters_of(const results::Calibration& calibration) {
 }
 
 std::string measurements_of(const results::Calibration& calibration) {
-  constexpr std::size_t kMost = 12;  // values of a measurement that are listed one by one
+  constexpr std::size_t kMax = 12;  // values of a measurement that are listed one by one
   std::string lines =
       cell("measurement", 30) + cell("measured", 22) + cell("simulated", 12) + "over powders that agree\n";
   for (const auto& measurement : calibration.measurements) {
-    if (measurement.data.size() > kMost) {
+    if (measurement.data.size() > kMax) {
       lines += cell(measurement.name, 30) + std::to_string(measurement.data.size()) + " values, chi^2 " +
                number(measurement.chi_square) + (measurement.fitted ? "" : " (check)") + '\n';
       continue;

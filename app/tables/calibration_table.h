@@ -1,5 +1,5 @@
-// A calibration on the terminal: the powder with its intervals, what the data cannot tell, measured against
-// simulated.
+// A calibration on the terminal: the powder with its intervals, what the data cannot determine, measured
+// against simulated.
 #pragma once
 
 #include <string>

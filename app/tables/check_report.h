@@ -10,7 +10,7 @@
 
 namespace diefill::app {
 
-/// A tool's mesh: size, state, repairs, symmetry (none: not looked for), wall spheres where there are any.
+/// A tool's mesh: size, state, repairs, symmetry (none: not searched for), wall spheres where there are any.
 void print_tool(const process::Tool& tool, const geometry::Symmetry* symmetry);
 /// How neighbouring tools fit.
 void print_pairs(const process::Diagnosis& diagnosis);

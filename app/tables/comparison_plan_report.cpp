@@ -23,7 +23,7 @@ std::string time_text(const std::optional<double>& seconds) {
 void print_table(const std::vector<plan::VariantForecast>& variants) {
   std::size_t width = 8;
   for (const auto& variant : variants)
-    width = std::max(width, std::min(kWidestName, letters_in(variant.name)));
+    width = std::max(width, std::min(kWidestName, character_count(variant.name)));
   std::printf("\n%s%10s%10s%13s%11s%12s%14s\n", padded("variant", width).c_str(), "spheres", "steps",
               "simulated, s", "shared, s", "memory, MB", "wall time");
   for (const auto& variant : variants)

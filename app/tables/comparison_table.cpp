@@ -86,7 +86,7 @@ std::string runs_without_result(const results::Comparison& comparison) {
 std::string comparison_table(const results::Comparison& comparison) {
   std::size_t width = 8;
   for (const auto& variant : comparison.variants)
-    width = std::max(width, std::min(kWidestColumn, letters_in(variant)));
+    width = std::max(width, std::min(kWidestColumn, character_count(variant)));
   std::string text = comparison.title + "\n  " + left("", width) + right("mean", 12) + right("scatter", 11) +
                      right("seeds", 7) + "  difference from \"" + comparison.variants.front() + "\"\n";
   for (const auto& measure : comparison.measures) text += block(measure, comparison.variants, width);

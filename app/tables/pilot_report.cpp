@@ -14,8 +14,8 @@ bool is_busy(const plan::Pilot& pilot) {
 }
 
 void print_pilot(const plan::Pilot& pilot) {
-  if (!pilot.kept_since.empty())
-    std::printf("pilot run: kept since %s; --new-pilot runs it again\n", pilot.kept_since.c_str());
+  if (!pilot.cached_since.empty())
+    std::printf("pilot run: kept since %s; --new-pilot runs it again\n", pilot.cached_since.c_str());
   std::printf("processors: the machine gave the pilot %.0f %% of the processor time it asked for%s\n",
               100 * pilot.processor_share,
               is_busy(pilot) ? "; times on free processors exclude waiting, times as busy include it"
@@ -51,7 +51,7 @@ Json pilot_as_json(const plan::Pilot& pilot) {
                {"spheres", pilot.spheres},
                {"wall_seconds", pilot.wall_seconds},
                {"processor_share", pilot.processor_share},
-               {"kept_since", pilot.kept_since.empty() ? Json(nullptr) : Json(pilot.kept_since)},
+               {"kept_since", pilot.cached_since.empty() ? Json(nullptr) : Json(pilot.cached_since)},
                {"stopped", pilot.stopped},
                {"seconds_per_sphere_step", Json::object()}};
   for (int k = 0; k < plan::kPhaseKinds; ++k) {

@@ -22,10 +22,10 @@ std::string text(const char* format, Values... values) {
   return buffer;
 }
 
-/// A line of the table: what it says of each choice.
+/// A line of the table: its text for each choice.
 struct Row {
   const char* name;
-  std::function<std::string(const plan::Choice&)> say;
+  std::function<std::string(const plan::Choice&)> cell;
 };
 
 std::string count(double number) {
@@ -91,7 +91,7 @@ void print_table(const plan::Plan& plan) {
   std::printf("\n");
   for (const Row& row : rows()) {
     std::printf("%-24s", row.name);
-    for (const auto& choice : plan.choices) std::printf("%20s", row.say(choice).c_str());
+    for (const auto& choice : plan.choices) std::printf("%20s", row.cell(choice).c_str());
     std::printf("\n");
   }
   if (plan.pilot && is_busy(*plan.pilot)) {

@@ -27,7 +27,7 @@ void print_rank_forecast(const process::plan::Plan& plan, int threads, int ranks
       "  a rank has %.0f grains and copies of %.0f others; in a step it sends and receives %.0f messages, "
       "%.3g kB\n",
       step.own, step.ghosts, step.messages, 1e-3 * step.bytes);
-  const double pay = process::cluster::grains_that_pay(spheres, ranks, threads, costs);
+  const double pay = process::cluster::break_even_grains(spheres, ranks, threads, costs);
   if (pay > 0)
     std::printf("  %d ranks are quicker than %d threads from about %.2g grains on", ranks, threads, pay);
   else

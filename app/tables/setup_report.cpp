@@ -9,8 +9,8 @@ namespace diefill::app {
 
 namespace {
 
-constexpr int kMostPlaces = 60;  // marks of one finding
-constexpr int kWaySteps = 12;    // marks along the way of a shoe
+constexpr int kMaxPlaces = 60;  // marks of one finding
+constexpr int kWaySteps = 12;   // marks along the way of a shoe
 
 render::FindingMark pour_mark(const process::PourSpec& pour) {
   render::FindingMark mark{render::MarkKind::kFact, "corners of the pour box", {}};
@@ -23,7 +23,7 @@ render::FindingMark pour_mark(const process::PourSpec& pour) {
 
 std::vector<Eigen::Vector3d> thinned(const std::vector<Eigen::Vector3d>& places) {
   std::vector<Eigen::Vector3d> some;
-  const std::size_t every = 1 + places.size() / kMostPlaces;
+  const std::size_t every = 1 + places.size() / kMaxPlaces;
   for (std::size_t k = 0; k < places.size(); k += every) some.push_back(places[k]);
   return some;
 }

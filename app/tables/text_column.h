@@ -9,7 +9,7 @@ namespace diefill::app {
 inline constexpr std::size_t kWidestName = 48;  ///< letters; longer names push the numbers on
 
 /// Letters of a UTF-8 text: bytes that begin one.
-inline std::size_t letters_in(const std::string& text) {
+inline std::size_t character_count(const std::string& text) {
   std::size_t letters = 0;
   for (const char byte : text) letters += (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U ? 1 : 0;
   return letters;
@@ -17,7 +17,7 @@ inline std::size_t letters_in(const std::string& text) {
 
 /// The text with blanks behind it up to `width` letters.
 inline std::string padded(const std::string& text, std::size_t width) {
-  const std::size_t letters = letters_in(text);
+  const std::size_t letters = character_count(text);
   return letters >= width ? text : text + std::string(width - letters, ' ');
 }
 

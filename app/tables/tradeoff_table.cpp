@@ -56,7 +56,7 @@ std::string tradeoff_table(const results::Tradeoff& tradeoff) {
   constexpr double kMebibyte = 1024.0 * 1024.0;
   std::size_t width = 7;
   for (const auto& point : tradeoff.points)
-    width = std::max(width, std::min(kWidestName, letters_in(point.name)));
+    width = std::max(width, std::min(kWidestName, character_count(point.name)));
   std::string text =
       tradeoff.title + '\n' + line("setting", width, "core s", "core s per s", "MiB", "error %", "");
   for (const auto* point : cheapest_first(tradeoff))

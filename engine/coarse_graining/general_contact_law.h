@@ -61,7 +61,7 @@ class GeneralContactLaw {
 
   /// Factors of the history's numbers when the pair is stored the other way round.
   static std::vector<double> history_signs() {
-    return {GeneralLaw::kMemorySigns.begin(), GeneralLaw::kMemorySigns.end()};
+    return {GeneralLaw::kHistorySigns.begin(), GeneralLaw::kHistorySigns.end()};
   }
 
  private:

@@ -133,9 +133,9 @@ struct Lever {
   static constexpr bool kOtherDiffers = kArm == LeverArm::surface || kArm == LeverArm::center;
 };
 
-/// Where the pairs meet: overlaps and normals.
+/// Computes overlaps and normals of all pairs.
 template <class Law, class ReachOf>
-void meet(ContactBatch<Law>& batch, const ReachOf& reach_of) {
+void compute_overlaps(ContactBatch<Law>& batch, const ReachOf& reach_of) {
   const std::size_t lanes = whole_groups(batch.count);
 #pragma GCC ivdep
   for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -251,7 +251,7 @@ template <LeverArm kArm, bool kClumps, bool kUnequal = false, bool kLookedUp = k
 void react(ContactBatch<Law>& batch, const OfLane& of_lane, InstructionSet instructions, double time_step) {
   static_assert(Law::kByParts || !(kUnequal || kLookedUp));
   if constexpr (!Law::kByParts) {
-    meet(batch, [&](std::size_t lane) { return of_lane(lane).reach; });
+    compute_overlaps(batch, [&](std::size_t lane) { return of_lane(lane).reach; });
     react_in_stages<kArm, kClumps>(batch, of_lane, time_step);
   } else {
     for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane) {
@@ -265,7 +265,7 @@ void react(ContactBatch<Law>& batch, const OfLane& of_lane, InstructionSet instr
       if constexpr (kLookedUp) return PairReach{batch.reach_contact[lane], batch.reach_radius[lane]};
       return of_lane(lane).reach;
     };
-    meet(batch, reach_of);
+    compute_overlaps(batch, reach_of);
     react_in_parts<kArm, kClumps, kUnequal>(batch, reach_of, instructions, time_step);
   }
 }

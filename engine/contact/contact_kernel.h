@@ -60,7 +60,7 @@ class BatchTally {
     deepest_.add(batch.overlap, batch.count);
     for (std::size_t lane = 0; lane < batch.count; ++lane) touching_ += batch.overlap[lane] > 0;
   }
-  double deepest() const { return deepest_.most(); }
+  double deepest() const { return deepest_.max(); }
   double deepest_over_radius() const { return deepest_over_radius_; }
   /// Books the work of one step of `time_step` (s).
   void book(double time_step, BlockTally& tally) const {
@@ -72,7 +72,7 @@ class BatchTally {
 
  private:
   LaneSum viscous_power_, friction_power_, rolling_power_;
-  LaneMost deepest_;
+  LaneMax deepest_;
   double deepest_over_radius_ = 0;
   std::uint64_t touching_ = 0;
 };

@@ -23,7 +23,7 @@ class ContactsInParts {
     contact.time_step = time_step_[lane];
     contact.rolling_step = rolling_step_[lane];
     contact.attraction = attraction_[lane];
-    contact.still = {still_force_[lane], still_limit_[lane]};
+    contact.static_normal = {static_force_[lane], static_limit_[lane]};
     contact.viscous = viscous_[lane];
     contact.load = load_[lane];
     contact.tangential = tangential_[lane];
@@ -40,8 +40,8 @@ class ContactsInParts {
     time_step_[lane] = contact.time_step;
     rolling_step_[lane] = contact.rolling_step;
     attraction_[lane] = contact.attraction;
-    still_force_[lane] = contact.still.force;
-    still_limit_[lane] = contact.still.limit;
+    static_force_[lane] = contact.static_normal.force;
+    static_limit_[lane] = contact.static_normal.limit;
     viscous_[lane] = contact.viscous;
     load_[lane] = contact.load;
     tangential_.set(lane, contact.tangential);
@@ -54,7 +54,7 @@ class ContactsInParts {
 
   Scalars overlap_, root_overlap_, separation_speed_;
   Vectors normal_, sliding_, spin_;
-  Scalars time_step_, rolling_step_, attraction_, still_force_, still_limit_, viscous_, load_;
+  Scalars time_step_, rolling_step_, attraction_, static_force_, static_limit_, viscous_, load_;
   Vectors tangential_, torque_;
 };
 

@@ -6,8 +6,8 @@
 namespace diefill::engine {
 
 /// Deepest overlaps (m), among grains and of grains with walls. A moving tool can pinch a grain against
-/// another tool, so that the two are told apart. What is deep for a small grain is not for a large one: the
-/// deepest in terms of sphere radii are kept apart.
+/// another tool, so that the two are counted separately. What is deep for a small grain is not for a large
+/// one: the deepest in terms of sphere radii are kept apart.
 struct DeepestOverlap {
   double grains = 0, walls = 0;
   double grains_over_radius = 0, walls_over_radius = 0;  ///< over the radius of the smaller sphere of grains

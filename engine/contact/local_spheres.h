@@ -63,7 +63,7 @@ class LocalSpheres {
   struct alignas(32) Centre {
     double value[4];
   };
-  /// Partners, and own grains, that are asked for ahead.
+  /// How many partners, and own grains, are prefetched ahead.
   static constexpr std::size_t kAhead = 16, kOwnAhead = kEntriesAhead<Eigen::Vector3d>;
   static constexpr std::size_t kSpin = 4;
 

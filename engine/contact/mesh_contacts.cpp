@@ -18,7 +18,7 @@ DeepestOnMesh visit_spheres(const MeshPairs& near, MeshWorkspace& workspace, std
     SphereOnMesh sphere(workspace, near.body, near.place_of(run.own), radius);
     const double within = run.within(plain(sphere.place()), radius);
     for (std::uint32_t p = run.first; p < end; ++p)
-      if (block.wall_distance[p] < within) sphere.look_at(p, block.wall_pairs.pair[p].wall);
+      if (block.wall_distance[p] < within) sphere.add_triangle(p, block.wall_pairs.pair[p].wall);
     const std::span<const TriangleTouch> touching = sphere.touches();
     for (const auto& touch : touching)
       touches.push_back({touch.near, near.class_of(run.own), touch.separation});

@@ -37,7 +37,7 @@ SphereOnMesh::SphereOnMesh(MeshWorkspace& workspace, const WallBody& body, const
   workspace_.feet.clear();
 }
 
-void SphereOnMesh::look_at(std::uint32_t near, std::uint32_t part) {
+void SphereOnMesh::add_triangle(std::uint32_t near, std::uint32_t part) {
   const NearestPoint nearest = nearest_point(body_.triangles()[part], place_);
   const Eigen::Vector3d way = place_ - nearest.point;
   if (way.squaredNorm() >= radius_ * radius_) return;

@@ -57,8 +57,8 @@ class SphereOnMesh {
   const Eigen::Vector3d& place() const { return place_; }
   double radius() const { return radius_; }
 
-  /// Looks at triangle `part`, of near pair `near`; numbers rise from call to call.
-  void look_at(std::uint32_t near, std::uint32_t part);
+  /// Tests triangle `part` of near pair `near`; numbers rise from call to call.
+  void add_triangle(std::uint32_t near, std::uint32_t part);
   /// The contacts, the deepest first, until the workspace is used again.
   std::span<const TriangleTouch> touches();
   /// m, overlap of the deepest contact, after touches(); beyond the radius where the centre has come behind

@@ -10,7 +10,7 @@ namespace diefill::engine {
 namespace {
 
 /// m, that a list of near pairs allows images of a sheared box to move, beside what skins allow particles.
-double shear_room(const FluidSettings& settings, const ShearedPeriod& period) {
+double shear_margin(const FluidSettings& settings, const ShearedPeriod& period) {
   constexpr double kOfReach = 0.1, kSteps = 6;
   return period.shears() ? std::max(kOfReach * settings.law.reach, kSteps * period.drift(settings.time_step))
                          : 0;
@@ -20,7 +20,7 @@ double shear_room(const FluidSettings& settings, const ShearedPeriod& period) {
 /// little before.
 SimulationSettings as_powder(const FluidSettings& settings) {
   const ShearedPeriod period(settings.period, settings.shear_rate);
-  const double reach = settings.law.reach + period.search_error() + shear_room(settings, period);
+  const double reach = settings.law.reach + period.search_error() + shear_margin(settings, period);
   settings.law.check();
   if (!(settings.particle_mass > 0)) throw std::invalid_argument("particles of a fluid need a mass above 0");
   SimulationSettings powder;
@@ -39,7 +39,7 @@ SimulationSettings as_powder(const FluidSettings& settings) {
 
 FluidSimulation::FluidSimulation(const FluidSettings& settings)
     : settings_(settings),
-      shear_room_(shear_room(settings, ShearedPeriod(settings.period, settings.shear_rate))),
+      shear_margin_(shear_margin(settings, ShearedPeriod(settings.period, settings.shear_rate))),
       state_(as_powder(settings), {}),
       policy_(settings) {
   state_.spheres.box = policy_.period().searched();
@@ -98,7 +98,7 @@ std::size_t FluidSimulation::add_solids(const std::vector<RigidSetSpec>& solids)
 
 /// Whether images have moved as far as the list of near pairs allows.
 bool FluidSimulation::shear_has_aged_list() const {
-  return policy_.period().drift(state_.time - state_.reference.time) > shear_room_;
+  return policy_.period().drift(state_.time - state_.reference.time) > shear_margin_;
 }
 
 void FluidSimulation::step() {
@@ -143,7 +143,7 @@ void FluidSimulation::restore(const FluidSnapshot& snapshot) {
   now.next_id = snapshot.particles.next_id;
   policy_.sets().restore(snapshot.solids);
   search_at_reference(now, {}, images());
-  now.spheres.stand_at(now.grains.position, now.grains.orientation);
+  now.spheres.set_poses(now.grains.position, now.grains.orientation);
 }
 
 }  // namespace diefill::engine

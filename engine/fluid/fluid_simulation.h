@@ -8,7 +8,7 @@
 
 namespace diefill::engine {
 
-/// Everything that a run needs to go on bit for bit.
+/// Everything that a run needs to resume bit for bit.
 struct FluidSnapshot {
   Snapshot particles;
   std::vector<RigidSetMotion> solids;
@@ -38,7 +38,7 @@ class FluidSimulation {
   void step();
 
   FluidSnapshot snapshot() const;
-  /// Goes on from a snapshot of a simulation of the same settings, fluid and solids.
+  /// Resumes from a snapshot of a simulation of the same settings, fluid and solids.
   void restore(const FluidSnapshot& snapshot);
   std::uint64_t hash() const { return state_hash(state_.step, state_.grains); }
 
@@ -57,7 +57,7 @@ class FluidSimulation {
   ImageFinder images();
 
   FluidSettings settings_;
-  double shear_room_;  ///< m, that the list allows images of a sheared box to move
+  double shear_margin_;  ///< m, that the list allows images of a sheared box to move
   SimulationState state_;
   FluidPolicy policy_;
 };

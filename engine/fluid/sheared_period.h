@@ -27,7 +27,7 @@ class ShearedPeriod {
   /// m, how far images move along x in `duration` (s) beside their owners' own motion.
   double drift(double duration) const { return std::abs(speed_) * duration; }
 
-  /// Puts what has left the box back into it, at `time`: who leaves along y changes velocity, too.
+  /// Puts what has left the box back into it, at `time`: what leaves along y changes velocity, too.
   void wrap(Grains& grains, double time) const;
   /// m: the place of the point that stands for `point` nearest to `near`, at `time`; `velocity` (m/s) becomes
   /// the one there.

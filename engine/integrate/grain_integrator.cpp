@@ -75,7 +75,8 @@ void drift(GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_s
 
 /// Orientations and predicted spins at the end of the step.
 template <class Bodies>
-void turn(GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_step, double way_per_turn) {
+void turn(GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_step,
+          double displacement_per_turn) {
   const std::size_t groups = lanes.groups();
   const auto& body = bodies.kept();
 #pragma GCC ivdep
@@ -84,7 +85,7 @@ void turn(GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_st
     const PlainQuaternion orientation =
         advance_orientation(lanes.orientation[lane], lanes.spin[lane], rate, time_step);
     const PlainQuaternion turned = orientation - lanes.orientation[lane];
-    out.way[lane] += way_per_turn * std::sqrt(dot(turned, turned));
+    out.way[lane] += displacement_per_turn * std::sqrt(dot(turned, turned));
     lanes.orientation.set(lane, orientation);
     out.spin.set(lane, rotation_of(orientation) * (lanes.spin[lane] + time_step * rate));
   }
@@ -187,7 +188,7 @@ GrainIntegrator::GrainIntegrator(const ParticleTypes& kinds, const Eigen::Vector
                                  double air_viscosity, bool rolls, double time_step,
                                  InstructionSet instructions)
     : rotates_(kinds.rotates()),
-      way_per_turn_(kinds.way_per_turn()),
+      displacement_per_turn_(kinds.displacement_per_turn()),
       time_step_(time_step),
       instructions_(instructions) {
   for (std::size_t k = 0; k < kinds.size(); ++k)
@@ -228,14 +229,14 @@ double GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t
                                      const Vector3& drifted, SphereField& spheres) const {
   GrainLanes lanes;
   Advanced out;
-  LaneMost farthest;
+  LaneMax farthest;
   for (std::size_t first = begin; first < end; first += kGrains) {
     lanes.load(grains, first, end, rotates_);
     lanes.load_positions(grains);
     bodies.load(bodies_, grains, lanes);
     with_instructions(instructions_, [&] { drift(lanes, out, bodies, time_step_, drifted); });
     if (rotates_)
-      with_instructions(instructions_, [&] { turn(lanes, out, bodies, time_step_, way_per_turn_); });
+      with_instructions(instructions_, [&] { turn(lanes, out, bodies, time_step_, displacement_per_turn_); });
     farthest.add(out.way, lanes.count);
 
     for (std::size_t lane = 0; lane < lanes.count; ++lane) {
@@ -245,7 +246,7 @@ double GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t
       spheres.set_motion(k, {out.velocity[lane], rotates_ ? out.spin[lane] : Vector3{}});
     }
   }
-  return farthest.most();
+  return farthest.max();
 }
 
 StepWork GrainIntegrator::finish(Grains& grains, std::size_t begin, std::size_t end,

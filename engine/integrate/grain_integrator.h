@@ -57,7 +57,7 @@ class GrainIntegrator {
   std::vector<Body> bodies_;                ///< one a kind
   std::optional<SphereIntegrator> single_;  ///< where grains are single spheres
   bool rotates_;
-  double way_per_turn_;  ///< m, that spheres go at most over the change of their grain's quaternion
+  double displacement_per_turn_;  ///< m, that spheres go at most over the change of their grain's quaternion
   double time_step_;
   InstructionSet instructions_;
 };

@@ -16,7 +16,7 @@ struct NoParameters {
   double largest_friction() const { return 0; }
   bool set_friction(double friction) const { return friction == 0; }
   double own_spin_arm() const { return 0; }
-  void run_in_steps_of(double) {}
+  void set_time_step(double) {}
 };
 
 struct NoDamping {
@@ -30,7 +30,7 @@ struct NoDamping {
 struct FreeSliding {
   using Parameters = NoParameters<FreeSliding>;
   static constexpr int kHistory = 0;
-  static constexpr MemorySigns<0> kMemorySigns = {};
+  static constexpr HistorySigns<0> kHistorySigns = {};
   FreeSliding(const Parameters&, const PairProperties&) {}
   Vector3 force(double*, Vector3, Vector3, double, double, double) const { return {}; }
 };
@@ -39,7 +39,7 @@ struct FreeSliding {
 struct FreeRolling {
   using Parameters = NoParameters<FreeRolling>;
   static constexpr int kHistory = 0;
-  static constexpr MemorySigns<0> kMemorySigns = {};
+  static constexpr HistorySigns<0> kHistorySigns = {};
   static constexpr bool follows_time_step() { return false; }
   FreeRolling(const Parameters&, const PairProperties&) {}
   Vector3 torque(double*, Vector3, Vector3, double, StaticForce, double, double) const { return {}; }
@@ -48,7 +48,7 @@ struct FreeRolling {
 struct NoAttraction {
   using Parameters = NoParameters<NoAttraction>;
   static constexpr int kHistory = 0;
-  static constexpr MemorySigns<0> kMemorySigns = {};
+  static constexpr HistorySigns<0> kHistorySigns = {};
   NoAttraction(const Parameters&, const PairProperties&) {}
   double range() const { return 0; }
   double force(double, double*) const { return 0; }

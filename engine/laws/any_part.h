@@ -67,38 +67,38 @@ class AnyPart {
     Parameters similar(double scale) const {
       return std::visit([scale](const auto& given) { return Parameters(given.similar(scale)); }, choice);
     }
-    /// ask(given) of the selected parameters.
-    template <class Ask>
-    auto ask(const Ask& ask) const {
-      return std::visit(ask, choice);
+    /// query(given) of the selected parameters.
+    template <class Query>
+    auto query(const Query& query) const {
+      return std::visit(query, choice);
     }
     // Facts that the parts of this kind state (parts.h); others do not compile.
     bool attracts() const {
-      return ask([](const auto& given) { return given.attracts(); });
+      return query([](const auto& given) { return given.attracts(); });
     }
-    bool repeats_surface_forces() const {
-      return ask([](const auto& given) { return given.repeats_surface_forces(); });
+    bool includes_surface_forces() const {
+      return query([](const auto& given) { return given.includes_surface_forces(); });
     }
     bool surface_forces() const {
-      return ask([](const auto& given) { return given.surface_forces(); });
+      return query([](const auto& given) { return given.surface_forces(); });
     }
     bool damping_in_load() const {
-      return ask([](const auto& given) { return given.damping_in_load(); });
+      return query([](const auto& given) { return given.damping_in_load(); });
     }
     bool dissipates() const {
-      return ask([](const auto& given) { return given.dissipates(); });
+      return query([](const auto& given) { return given.dissipates(); });
     }
     double hertzian_modulus() const {
-      return ask([](const auto& given) { return given.hertzian_modulus(); });
+      return query([](const auto& given) { return given.hertzian_modulus(); });
     }
     double linear_stiffness() const {
-      return ask([](const auto& given) { return given.linear_stiffness(); });
+      return query([](const auto& given) { return given.linear_stiffness(); });
     }
-    void run_in_steps_of(double time_step) {
-      std::visit([time_step](auto& given) { given.run_in_steps_of(time_step); }, choice);
+    void set_time_step(double time_step) {
+      std::visit([time_step](auto& given) { given.set_time_step(time_step); }, choice);
     }
     double own_spin_arm() const {
-      return ask([](const auto& given) { return given.own_spin_arm(); });
+      return query([](const auto& given) { return given.own_spin_arm(); });
     }
     bool set_work_of_adhesion(double work) {
       return std::visit([work](auto& given) { return given.set_work_of_adhesion(work); }, choice);
@@ -107,7 +107,7 @@ class AnyPart {
       return std::visit([coefficient](auto& given) { return given.set_friction(coefficient); }, choice);
     }
     double largest_friction() const {
-      return ask([](const auto& given) { return given.largest_friction(); });
+      return query([](const auto& given) { return given.largest_friction(); });
     }
     /// The parameters of one part, or null if another is selected.
     template <class SomePart>
@@ -137,7 +137,7 @@ class AnyPart {
   std::size_t which() const { return which_; }
 
  protected:
-  static constexpr int kMostMemory = [] {
+  static constexpr int kMaxMemory = [] {
     int most = 0;
     ((most = std::max(most,
                       [] {
@@ -147,9 +147,9 @@ class AnyPart {
      ...);
     return most;
   }();
-  /// kMemorySigns for any of the parts, which must agree where several use a number.
+  /// kHistorySigns for any of the parts, which must agree where several use a number.
   static constexpr auto shared_signs() {
-    MemorySigns<static_cast<std::size_t>(kMostMemory)> signs = {};
+    HistorySigns<static_cast<std::size_t>(kMaxMemory)> signs = {};
     const auto take = [&](const auto& of_part) {
       for (std::size_t k = 0; k < of_part.size(); ++k) {
         if (signs[k] != 0 && signs[k] != of_part[k])
@@ -157,7 +157,7 @@ class AnyPart {
         signs[k] = of_part[k];
       }
     };
-    (take(Parts::kMemorySigns), ...);
+    (take(Parts::kHistorySigns), ...);
     return signs;
   }
 
@@ -181,8 +181,8 @@ class AnyPart {
 template <NormalPart... Parts>
 struct AnyNormalOf : AnyPart<Parts...> {
   using AnyPart<Parts...>::AnyPart;
-  static constexpr int kHistory = AnyPart<Parts...>::kMostMemory;
-  static constexpr auto kMemorySigns = AnyPart<Parts...>::shared_signs();
+  static constexpr int kHistory = AnyPart<Parts...>::kMaxMemory;
+  static constexpr auto kHistorySigns = AnyPart<Parts...>::shared_signs();
   bool hysteretic() const {
     return this->with([]<class Part>(const Part&) { return Part::hysteretic(); });
   }
@@ -211,8 +211,8 @@ struct AnyDampingOf : AnyPart<Parts...> {
 template <FrictionPart... Parts>
 struct AnyFrictionOf : AnyPart<Parts...> {
   using AnyPart<Parts...>::AnyPart;
-  static constexpr int kHistory = AnyPart<Parts...>::kMostMemory;
-  static constexpr auto kMemorySigns = AnyPart<Parts...>::shared_signs();
+  static constexpr int kHistory = AnyPart<Parts...>::kMaxMemory;
+  static constexpr auto kHistorySigns = AnyPart<Parts...>::shared_signs();
   Vector3 force(double* history, Vector3 normal, Vector3 sliding, double root_overlap, double load,
                 double time_step) const {
     return this->with([&](const auto& part) {
@@ -224,8 +224,8 @@ struct AnyFrictionOf : AnyPart<Parts...> {
 template <RollingPart... Parts>
 struct AnyRollingOf : AnyPart<Parts...> {
   using AnyPart<Parts...>::AnyPart;
-  static constexpr int kHistory = AnyPart<Parts...>::kMostMemory;
-  static constexpr auto kMemorySigns = AnyPart<Parts...>::shared_signs();
+  static constexpr int kHistory = AnyPart<Parts...>::kMaxMemory;
+  static constexpr auto kHistorySigns = AnyPart<Parts...>::shared_signs();
   bool follows_time_step() const {
     return this->with([]<class Part>(const Part&) { return Part::follows_time_step(); });
   }
@@ -240,8 +240,8 @@ struct AnyRollingOf : AnyPart<Parts...> {
 template <AttractionPart... Parts>
 struct AnyAttractionOf : AnyPart<Parts...> {
   using AnyPart<Parts...>::AnyPart;
-  static constexpr int kHistory = AnyPart<Parts...>::kMostMemory;
-  static constexpr auto kMemorySigns = AnyPart<Parts...>::shared_signs();
+  static constexpr int kHistory = AnyPart<Parts...>::kMaxMemory;
+  static constexpr auto kHistorySigns = AnyPart<Parts...>::shared_signs();
   double range() const {
     return this->with([](const auto& part) { return part.range(); });
   }

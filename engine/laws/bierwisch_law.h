@@ -1,5 +1,5 @@
 // Bierwisch's law between the parts that any law is made of and the numbers that its tuned loops take. A
-// scene names parts only; whoever makes a loop asks whether they are Bierwisch's.
+// scene names parts only; code that makes a loop checks whether they are Bierwisch's.
 #pragma once
 
 #include <optional>

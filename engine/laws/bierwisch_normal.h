@@ -20,7 +20,7 @@ struct BierwischNormal {
     }
     Parameters similar(double l) const { return {reduced_modulus, l * work_of_adhesion}; }
     bool attracts() const { return work_of_adhesion > 0; }
-    bool repeats_surface_forces() const { return work_of_adhesion > 0; }
+    bool includes_surface_forces() const { return work_of_adhesion > 0; }
     bool damping_in_load() const { return true; }
     double hertzian_modulus() const { return 0.5 * reduced_modulus; }
     double linear_stiffness() const { return 0; }
@@ -30,7 +30,7 @@ struct BierwischNormal {
     }
   };
   static constexpr int kHistory = 0;
-  static constexpr MemorySigns<0> kMemorySigns = {};
+  static constexpr HistorySigns<0> kHistorySigns = {};
   static constexpr bool hysteretic() { return false; }
   Hertz elastic;
   HertzianCohesion cohesion;

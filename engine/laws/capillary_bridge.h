@@ -34,7 +34,7 @@ struct CapillaryBridge {
     bool attracts() const { return surface_tension > 0; }
   };
   static constexpr int kHistory = 1;  ///< 1 while there is a bridge
-  static constexpr MemorySigns<1> kMemorySigns = {1};
+  static constexpr HistorySigns<1> kHistorySigns = {1};
   double strength = 0;  ///< N, 4 pi R* gamma_L cos(theta)
   double spread = 0;    ///< m^2, lambda / (pi R*)
   double rupture = 0;   ///< m

@@ -47,7 +47,7 @@ struct ContactInParts {
   double time_step = 0, rolling_step = 0;  ///< s
 
   double attraction = 0;  ///< N, of the distant part
-  StaticForce still = {};
+  StaticForce static_normal = {};
   double viscous = 0, load = 0;          ///< N
   Vector3 tangential = {}, torque = {};  ///< N and N m, on i
 
@@ -72,14 +72,14 @@ struct ComposedLaw {
   static constexpr int kAttractionHistory = kRollingHistory + Rolling::kHistory;
   static constexpr int kHistory = kAttractionHistory + Attraction::kHistory;
   /// As in parts.h, of all parts. Numbers that no part uses keep their sign.
-  static constexpr MemorySigns<static_cast<std::size_t>(kHistory)> kMemorySigns = [] {
-    MemorySigns<static_cast<std::size_t>(kHistory)> signs = {};
+  static constexpr HistorySigns<static_cast<std::size_t>(kHistory)> kHistorySigns = [] {
+    HistorySigns<static_cast<std::size_t>(kHistory)> signs = {};
     std::size_t place = 0;
     const auto append = [&](const auto& of_part) {
       for (const double sign : of_part) signs[place++] = sign != 0 ? sign : 1;
     };
-    append(Normal::kMemorySigns), append(Friction::kMemorySigns);
-    append(Rolling::kMemorySigns), append(Attraction::kMemorySigns);
+    append(Normal::kHistorySigns), append(Friction::kHistorySigns);
+    append(Rolling::kHistorySigns), append(Attraction::kHistorySigns);
     return signs;
   }();
 
@@ -121,19 +121,20 @@ struct ComposedLaw {
       contact.attraction = part.force(-contact.overlap, history + kAttractionHistory);
     });
     run(&ComposedLaw::normal, [](const Load&, const auto& part, auto& contact, double* history) {
-      contact.still = part.force(contact.overlap, contact.root_overlap, history);
+      contact.static_normal = part.force(contact.overlap, contact.root_overlap, history);
     });
     run(&ComposedLaw::damping, [](const Load& load, const auto& part, auto& contact, double*) {
       contact.viscous = part.force(contact.overlap, contact.root_overlap, contact.separation_speed);
-      contact.load = load.of(contact.still.limit, contact.viscous);
+      contact.load = load.of(contact.static_normal.limit, contact.viscous);
     });
     run(&ComposedLaw::friction, [](const Load&, const auto& part, auto& contact, double* history) {
       contact.tangential = part.force(history + kFrictionHistory, contact.normal, contact.sliding,
                                       contact.root_overlap, contact.load, contact.time_step);
     });
     run(&ComposedLaw::rolling, [](const Load&, const auto& part, auto& contact, double* history) {
-      contact.torque = part.torque(history + kRollingHistory, contact.normal, contact.spin,
-                                   contact.root_overlap, contact.still, contact.load, contact.rolling_step);
+      contact.torque =
+          part.torque(history + kRollingHistory, contact.normal, contact.spin, contact.root_overlap,
+                      contact.static_normal, contact.load, contact.rolling_step);
     });
   }
 
@@ -141,7 +142,8 @@ struct ComposedLaw {
   static Reaction sum(const ContactInParts& contact, double* history) {
     const bool touches = contact.overlap > 0;
     const auto in_contact = [touches](double value) { return touches ? value : 0.0; };
-    const Vector3 push = (contact.still.force + contact.viscous) * contact.normal + contact.tangential;
+    const Vector3 push =
+        (contact.static_normal.force + contact.viscous) * contact.normal + contact.tangential;
     Reaction reaction;
     reaction.attraction = contact.attraction;
     reaction.force = contact.attraction * contact.normal +
@@ -151,7 +153,7 @@ struct ComposedLaw {
     reaction.load = in_contact(contact.load);
     reaction.viscous = in_contact(contact.viscous);
     reaction.attraction_power = contact.attraction * contact.separation_speed;
-    reaction.normal_power = in_contact(contact.still.force * contact.separation_speed);
+    reaction.normal_power = in_contact(contact.static_normal.force * contact.separation_speed);
     reaction.viscous_power = in_contact(contact.viscous * contact.separation_speed);
     reaction.friction_power = in_contact(dot(contact.tangential, contact.sliding));
     reaction.rolling_power = in_contact(dot(contact.torque, contact.spin));

@@ -33,10 +33,10 @@ struct LoadRolling {
     void check() const { require_range("rolling friction coefficient", rolling_friction, 0); }
     Parameters similar(double) const { return *this; }
     double own_spin_arm() const { return 0; }
-    void run_in_steps_of(double) {}
+    void set_time_step(double) {}
   };
   static constexpr int kHistory = 3;  ///< torque on i, N m
-  static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
+  static constexpr HistorySigns<3> kHistorySigns = kVectorSigns;
   static constexpr bool follows_time_step() { return true; }
   double arm;      ///< m, mu_r R*
   double inertia;  ///< kg m^2, reduced
@@ -67,10 +67,10 @@ struct ElasticRolling {
     }
     Parameters similar(double l) const { return {rolling_friction, l * stiffness, harmonic_mean}; }
     double own_spin_arm() const { return 0; }
-    void run_in_steps_of(double) {}
+    void set_time_step(double) {}
   };
   static constexpr int kHistory = 3;  ///< torque on i before its part along the normal is left out, N m
-  static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
+  static constexpr HistorySigns<3> kHistorySigns = kVectorSigns;
   static constexpr bool follows_time_step() { return true; }
   double coefficient;  ///< N, mu_roll k_1 R
   double inertia;      ///< kg m^2, reduced

@@ -28,7 +28,7 @@ struct CundallFriction {
     }
   };
   static constexpr int kHistory = 3;  ///< xi, m
-  static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
+  static constexpr HistorySigns<3> kHistorySigns = kVectorSigns;
   TangentialSpring<true> spring;
   double cut_back;  ///< 1 or 0; a number, as loops with a flag do not vectorise
 

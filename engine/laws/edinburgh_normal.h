@@ -46,7 +46,7 @@ struct EdinburghNormal {
       return {branch, modulus, l * stiffness, plasticity_ratio, l * l * pull_off, l * surface_energy};
     }
     bool attracts() const { return pull_off > 0 || surface_energy > 0; }
-    bool repeats_surface_forces() const { return attracts(); }
+    bool includes_surface_forces() const { return attracts(); }
     bool damping_in_load() const { return true; }
     double hertzian_modulus() const { return is_hertzian() ? modulus : 0; }
     double linear_stiffness() const { return is_linear() ? stiffness : 0; }
@@ -56,7 +56,7 @@ struct EdinburghNormal {
     }
   };
   static constexpr int kHistory = 2;  ///< u_p in m^n; k_adh in N/m^n
-  static constexpr MemorySigns<2> kMemorySigns = {1, 1};
+  static constexpr HistorySigns<2> kHistorySigns = {1, 1};
   static constexpr bool hysteretic() { return true; }
   double unloading;      ///< N/m^n, k_2
   double plastic_share;  ///< u_p over h_max^n

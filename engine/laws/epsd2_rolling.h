@@ -21,10 +21,10 @@ struct Epsd2Rolling {
     }
     Parameters similar(double) const { return *this; }
     double own_spin_arm() const { return 0; }
-    void run_in_steps_of(double) {}
+    void set_time_step(double) {}
   };
   static constexpr int kHistory = 3;  ///< torque on i, N m
-  static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
+  static constexpr HistorySigns<3> kHistorySigns = kVectorSigns;
   static constexpr bool follows_time_step() { return false; }
   double coefficient;  ///< N m^(1/2) per radian, 8 G* R*^(5/2)
   double arm;          ///< m, mu_r R*

@@ -15,14 +15,14 @@ struct HertzMindlinNormal {
     void check() const { require_positive("modulus E*", modulus); }
     Parameters similar(double) const { return *this; }
     bool attracts() const { return false; }
-    bool repeats_surface_forces() const { return false; }
+    bool includes_surface_forces() const { return false; }
     bool damping_in_load() const { return true; }
     double hertzian_modulus() const { return modulus; }
     double linear_stiffness() const { return 0; }
     bool set_work_of_adhesion(double w) const { return w == 0; }
   };
   static constexpr int kHistory = 0;
-  static constexpr MemorySigns<0> kMemorySigns = {};
+  static constexpr HistorySigns<0> kHistorySigns = {};
   static constexpr bool hysteretic() { return false; }
   double coefficient = 0;  ///< N/m^(3/2)
 

@@ -28,7 +28,7 @@ struct JkrNormal {
     }
     Parameters similar(double l) const { return {modulus, l * surface_energy, load}; }
     bool attracts() const { return surface_energy > 0; }
-    bool repeats_surface_forces() const { return true; }
+    bool includes_surface_forces() const { return true; }
     bool damping_in_load() const { return false; }  ///< Hu 2024
     double hertzian_modulus() const { return modulus; }
     double linear_stiffness() const { return 0; }
@@ -38,7 +38,7 @@ struct JkrNormal {
     }
   };
   static constexpr int kHistory = 0;
-  static constexpr MemorySigns<0> kMemorySigns = {};
+  static constexpr HistorySigns<0> kHistorySigns = {};
   static constexpr bool hysteretic() { return false; }
   double radius;            ///< m, R*
   double modulus;           ///< Pa, E*

@@ -17,7 +17,7 @@ void require_same(const std::string& who, const std::string& what, double wanted
 }
 
 void require_one_surface_force(const LawParameters& parameters) {
-  require(!parameters.attraction.surface_forces() || !parameters.normal.repeats_surface_forces(),
+  require(!parameters.attraction.surface_forces() || !parameters.normal.includes_surface_forces(),
           "van der Waals attraction repeats the adhesion of the normal force; use one of the two: set the "
           "attraction to none, or take a normal force without adhesion");
 }

@@ -13,14 +13,14 @@ struct LinearNormal {
     void check() const { require_positive("normal stiffness", stiffness); }
     Parameters similar(double l) const { return {l * stiffness}; }
     bool attracts() const { return false; }
-    bool repeats_surface_forces() const { return false; }
+    bool includes_surface_forces() const { return false; }
     bool damping_in_load() const { return true; }
     double hertzian_modulus() const { return 0; }
     double linear_stiffness() const { return stiffness; }
     bool set_work_of_adhesion(double w) const { return w == 0; }
   };
   static constexpr int kHistory = 0;
-  static constexpr MemorySigns<0> kMemorySigns = {};
+  static constexpr HistorySigns<0> kHistorySigns = {};
   static constexpr bool hysteretic() { return false; }
   double spring = 0;  ///< N/m
 

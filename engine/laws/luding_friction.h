@@ -39,7 +39,7 @@ struct LudingFriction {
     }
   };
   static constexpr int kHistory = 4;  ///< xi in m; 1 while sliding with slip history
-  static constexpr MemorySigns<4> kMemorySigns = {-1, -1, -1, 1};
+  static constexpr HistorySigns<4> kHistorySigns = {-1, -1, -1, 1};
   double stiffness, damping, static_friction, dynamic_friction;
   double slip_memory;  ///< 1 or 0; a number, as loops with a flag do not vectorise
 

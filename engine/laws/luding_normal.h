@@ -31,14 +31,14 @@ struct LudingNormal {
     }
     bool attracts() const { return cohesion > 0; }
     /// Kottlan 2018 has van der Waals attraction beside the limb.
-    bool repeats_surface_forces() const { return false; }
+    bool includes_surface_forces() const { return false; }
     bool damping_in_load() const { return true; }
     double hertzian_modulus() const { return 0; }
     double linear_stiffness() const { return loading; }
     bool set_work_of_adhesion(double w) const { return w == 0; }
   };
   static constexpr int kHistory = 1;  ///< deepest overlap so far, m
-  static constexpr MemorySigns<1> kMemorySigns = {1};
+  static constexpr HistorySigns<1> kHistorySigns = {1};
   static constexpr bool hysteretic() { return true; }
   double k1, k2, kc;     ///< N/m
   double plastic_limit;  ///< m, overlap beyond which unloading is as stiff as k_2 (Kottlan 2018, Eq. 4)

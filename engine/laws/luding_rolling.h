@@ -32,10 +32,10 @@ struct LudingRolling {
       return {rolling_friction, l * tangential_stiffness, stiffness_ratio, damping_ratio, l * time_step};
     }
     double own_spin_arm() const { return 0; }
-    void run_in_steps_of(double seconds) { time_step = seconds; }
+    void set_time_step(double seconds) { time_step = seconds; }
   };
   static constexpr int kHistory = 3;  ///< spring torque on j, N m
-  static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
+  static constexpr HistorySigns<3> kHistorySigns = kVectorSigns;
   static constexpr bool follows_time_step() { return false; }
   double stiffness;  ///< N m per radian, k_r
   double damping;    ///< N m s, c_r

@@ -34,7 +34,7 @@ struct MindlinFriction {
     }
   };
   static constexpr int kHistory = 3;  ///< xi, m
-  static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
+  static constexpr HistorySigns<3> kHistorySigns = kVectorSigns;
   double spring_coefficient;   ///< N/m^(3/2)
   double dashpot_coefficient;  ///< kg/(s m^(1/4))
   double friction;             ///< mu_s

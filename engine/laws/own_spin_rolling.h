@@ -16,10 +16,10 @@ struct OwnSpinRolling {
     void check() const { require_range("arm of rolling friction", arm, 0); }
     Parameters similar(double l) const { return {l * arm}; }
     double own_spin_arm() const { return arm; }
-    void run_in_steps_of(double) {}
+    void set_time_step(double) {}
   };
   static constexpr int kHistory = 0;
-  static constexpr MemorySigns<0> kMemorySigns = {};
+  static constexpr HistorySigns<0> kHistorySigns = {};
   static constexpr bool follows_time_step() { return false; }
   OwnSpinRolling(const Parameters&, const PairProperties&) {}
   Vector3 torque(double*, Vector3, Vector3, double, StaticForce, double, double) const { return {}; }

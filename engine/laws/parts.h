@@ -4,7 +4,7 @@
 //
 // Signs: the normal n points from j to i, a positive normal force repels, the overlap h is positive in
 // contact and the separation speed (v_i - v_j) . n positive when separating. `history` points to the part's
-// kHistory doubles of the pair; they are zero when a contact begins. `kMemorySigns` has one factor for each:
+// kHistory doubles of the pair; they are zero when a contact begins. `kHistorySigns` has one factor for each:
 // -1 where the number turns its sign when the pair is stored the other way round, i and j exchanged, as parts
 // of vectors do, otherwise 1.
 //
@@ -31,14 +31,14 @@ struct StaticForce {
   double limit = 0;  ///< N, what friction and rolling limits are taken of, damping left out
 };
 
-/// kMemorySigns of a part that stores `kCount` numbers.
+/// kHistorySigns of a part that stores `kCount` numbers.
 template <std::size_t kCount>
-using MemorySigns = std::array<double, kCount>;
+using HistorySigns = std::array<double, kCount>;
 
 template <class T>
-concept Remembers = requires {
+concept HasHistory = requires {
   { T::kHistory } -> std::convertible_to<int>;
-  requires T::kMemorySigns.size() == static_cast<std::size_t>(T::kHistory);
+  requires T::kHistorySigns.size() == static_cast<std::size_t>(T::kHistory);
 };
 
 template <class T>
@@ -55,18 +55,18 @@ concept Part = requires(const typename T::Parameters& parameters, const PairProp
 ///   damping_in_load()        whether the load of friction limits has damping in it, unless a scene says
 ///                            otherwise
 ///   attracts()               whether touching spheres stick
-///   repeats_surface_forces() whether its adhesion is the surface forces that an attraction may have, too
+///   includes_surface_forces() whether its adhesion is the surface forces that an attraction may have, too
 ///   hertzian_modulus()       Pa, E* of a first loading 4/3 E* sqrt(R*) h^(3/2), or 0
 ///   linear_stiffness()       N/m, k_1 of a first loading k_1 h, or 0
 ///   set_work_of_adhesion(w)  J/m^2, of another surface; false where the law has none
 template <class T>
-concept NormalPart = Part<T> && Remembers<T> &&
+concept NormalPart = Part<T> && HasHistory<T> &&
     requires(const T& part, double x, double* history, const double* past,
              const typename T::Parameters& given, typename T::Parameters& changed) {
   { part.hysteretic() } -> std::same_as<bool>;
   { given.damping_in_load() } -> std::same_as<bool>;
   { given.attracts() } -> std::same_as<bool>;
-  { given.repeats_surface_forces() } -> std::same_as<bool>;
+  { given.includes_surface_forces() } -> std::same_as<bool>;
   { given.hertzian_modulus() } -> std::same_as<double>;
   { given.linear_stiffness() } -> std::same_as<double>;
   { changed.set_work_of_adhesion(x) } -> std::same_as<bool>;
@@ -88,7 +88,7 @@ concept DampingPart = Part<T> && requires(const T& part, double x, const typenam
 /// N. Advances the history over the time step. largest_friction(): Coulomb's coefficient, the larger one
 /// where there are two. set_friction(mu): that of another surface; false where the law has none.
 template <class T>
-concept FrictionPart = Part<T> && Remembers<T> &&
+concept FrictionPart = Part<T> && HasHistory<T> &&
     requires(const T& part, double* history, Vector3 v, double x, const typename T::Parameters& given,
              typename T::Parameters& changed) {
   { given.largest_friction() } -> std::same_as<double>;
@@ -98,13 +98,14 @@ concept FrictionPart = Part<T> && Remembers<T> &&
 
 /// torque(history, n, omega_i - omega_j in rad/s, sqrt(h), static force, load in N, time step in s): torque
 /// on i in N m; j receives the opposite. Advances the history over the time step. follows_time_step():
-/// whether its spring is made for the time step, and so asks for none. run_in_steps_of(s) tells its
+/// whether its spring is made for the time step, and so needs none. set_time_step(s) gives its
 /// parameters the time step of the original grains. own_spin_arm(): m, what the load is multiplied by for a
 /// torque against each grain's own spin, which the integrator applies; 0 where the part acts on the pair.
 template <class T>
-concept RollingPart = Part<T> && Remembers<T> && requires(const T& part, double* history, Vector3 v, double x,
-                                                          StaticForce f, typename T::Parameters& given) {
-  given.run_in_steps_of(x);
+concept RollingPart = Part<T> && HasHistory<T> &&
+    requires(const T& part, double* history, Vector3 v, double x, StaticForce f,
+             typename T::Parameters& given) {
+  given.set_time_step(x);
   { given.own_spin_arm() } -> std::same_as<double>;
   { part.follows_time_step() } -> std::same_as<bool>;
   { part.torque(history, v, v, x, f, x, x) } -> std::same_as<Vector3>;
@@ -114,7 +115,7 @@ concept RollingPart = Part<T> && Remembers<T> && requires(const T& part, double*
 /// contact; energy(gap, history): J, zero beyond the range. attracts(): whether there is any force;
 /// surface_forces(): whether it is the forces between dry surfaces.
 template <class T>
-concept AttractionPart = Part<T> && Remembers<T> &&
+concept AttractionPart = Part<T> && HasHistory<T> &&
     requires(const T& part, double x, double* history, const double* past,
              const typename T::Parameters& given) {
   { given.surface_forces() } -> std::same_as<bool>;

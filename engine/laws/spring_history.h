@@ -6,8 +6,8 @@
 
 namespace diefill::engine::laws {
 
-/// kMemorySigns of a vector: it points the other way for the other sphere.
-inline constexpr MemorySigns<3> kVectorSigns = {-1, -1, -1};
+/// kHistorySigns of a vector: it points the other way for the other sphere.
+inline constexpr HistorySigns<3> kVectorSigns = {-1, -1, -1};
 
 inline Vector3 load_vector(const double* history) {
   return {history[0], history[1], history[2]};

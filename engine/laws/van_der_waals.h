@@ -27,7 +27,7 @@ struct VanDerWaals {
     bool attracts() const { return hamaker > 0; }
   };
   static constexpr int kHistory = 0;
-  static constexpr MemorySigns<0> kMemorySigns = {};
+  static constexpr HistorySigns<0> kHistorySigns = {};
   double coefficient;  ///< N m^2, A r_eff / 6
   double smallest;     ///< m
   double largest;      ///< m, 0 where it acts on touch only

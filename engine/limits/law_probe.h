@@ -1,4 +1,4 @@
-// A contact law asked for numbers instead of stepped through time, and the time steps that they allow.
+// Numbers of a contact law without stepping it through time, and the time steps that they allow.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Grains wedged between tools that move against each other. A real agglomerate at a shearing edge comes
-// apart; a rigid model grain can only be pressed deeper until the force laws mean nothing. Who owns the
+// apart; a rigid model grain can only be pressed deeper until the force laws mean nothing. The owner of the
 // simulation decides what becomes of such grains.
 #pragma once
 

@@ -1,5 +1,5 @@
 // The longest time step that a powder allows, from the stiffest and lightest of its contacts, and the
-// fraction of it that we take. Asks the laws themselves for stiffness and damping.
+// fraction of it that we take. Stiffness and damping are evaluated by the laws themselves.
 #pragma once
 
 #include "engine/contact/pair_laws.h"

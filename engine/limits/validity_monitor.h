@@ -1,4 +1,4 @@
-// The method's valid range, watched while running: a run that leaves it says so and stops instead of
+// The method's valid range, monitored while running: a run that leaves it reports so and stops instead of
 // delivering garbage.
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace diefill::engine {
 
 /// Limits of the method, each found by experiment (STABILITY.md). Between comfortable and forbidden a run
-/// goes on with a warning in its report.
+/// continues with a warning in its report.
 struct ValidityLimits {
   double comfortable_overlap = 0.2;  ///< over the smaller sphere radius: Hertz' law is a small-overlap law
   double forbidden_overlap = 0.6;    ///< over the smaller sphere radius, among grains
@@ -19,11 +19,11 @@ struct ValidityLimits {
   /// grains slip past with a deep overlap: that is reported. From here on a sphere's centre has passed the
   /// envelope of the wall spheres: it is being pushed through the wall, and may come out behind it.
   double forbidden_wall_overlap = 1.0;
-  double energy_error = 0.05;  ///< of the energy turned over, gained without any work that explains it
+  double energy_error = 0.05;  ///< of the energy exchanged, gained without any work that explains it
   double comfortable_energy_error = 0.01;
-  /// Way of the fastest grain in a step over the sphere radius: two grains that come at each other so fast
-  /// are past each other's centres within a few steps.
-  double forbidden_way = 0.5;
+  /// Displacement of the fastest grain in a step over the sphere radius: two grains that come at each other
+  /// so fast are past each other's centres within a few steps.
+  double forbidden_displacement = 0.5;
   /// Step over the critical one of a collision at twice the fastest grain's speed: undamped clumps gain
   /// energy from 0.49 on (STABILITY.md, time step).
   double comfortable_step = 0.5;
@@ -36,7 +36,7 @@ class ValidityMonitor {
  public:
   explicit ValidityMonitor(const ValidityLimits& limits = {}) : limits_(limits) {}
 
-  /// Looks at the simulation as it is now; call every so many steps. Throws OutOfRange past a limit.
+  /// Checks the simulation as it is now; call every so many steps. Throws OutOfRange past a limit.
   void check(const Simulation& simulation);
   /// Warnings so far, each once.
   const std::vector<std::string>& warnings() const { return warnings_; }

@@ -1,5 +1,5 @@
-// Where in the powder things are worst, for messages of a run that has left the method's range. Only asked
-// for then: looks at every grain or contact.
+// Where in the powder things are worst, for messages of a run that has left the method's range. Only used
+// then: checks every grain or contact.
 #pragma once
 
 #include <string>

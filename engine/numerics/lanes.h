@@ -59,9 +59,9 @@ class LaneSum {
 };
 
 /// The largest of many lanes, at least 0.
-class LaneMost {
+class LaneMax {
  public:
-  /// Looks at the first `count` lanes.
+  /// Includes the first `count` lanes.
   template <std::size_t kCount>
   void add(const Lanes<kCount>& lanes, std::size_t count) {
     std::size_t k = 0;
@@ -71,7 +71,7 @@ class LaneMost {
     for (std::size_t lane = 0; k + lane < count; ++lane)
       part_[lane] = lanes[k + lane] > part_[lane] ? lanes[k + lane] : part_[lane];
   }
-  double most() const {
+  double max() const {
     double most = 0;
     for (const double part : part_) most = part > most ? part : most;
     return most;

@@ -1,5 +1,5 @@
 // Random numbers that belong to a pair of particles and a time step: a counter goes in, bits come out, and no
-// state is kept. Whoever computes the pair, in whatever order and on whatever thread, gets the same number.
+// state is kept. The number of a pair does not depend on the order of computation or the thread.
 #pragma once
 
 #include <array>

@@ -18,7 +18,7 @@ inline constexpr std::size_t kEntriesAhead = kPrefetchDistance / sizeof(Value);
 
 /// Requests the entries [first, first + kCount) of `values`, as far as they exist.
 template <std::size_t kCount, class Value>
-[[gnu::always_inline]] inline void look_at(const std::vector<Value>& values, std::size_t first) {
+[[gnu::always_inline]] inline void prefetch_entries(const std::vector<Value>& values, std::size_t first) {
   constexpr std::size_t kCacheLine = 64;  // bytes
   if (first + kCount > values.size()) return;
   const auto* from = reinterpret_cast<const char*>(values.data() + first);
@@ -29,7 +29,7 @@ template <std::size_t kCount, class Value>
 /// kPrefetchDistance behind them.
 template <std::size_t kCount, class... Values>
 [[gnu::always_inline]] inline void prefetch(std::size_t first, const std::vector<Values>&... arrays) {
-  (look_at<kCount>(arrays, first + kEntriesAhead<Values>), ...);
+  (prefetch_entries<kCount>(arrays, first + kEntriesAhead<Values>), ...);
 }
 
 }  // namespace diefill::engine

@@ -1,4 +1,4 @@
-// The forces of single contacts, for figures asked for now and then.
+// The forces of single contacts, for figures that are computed now and then.
 #pragma once
 
 #include <functional>

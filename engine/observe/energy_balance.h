@@ -8,7 +8,7 @@ namespace diefill::engine {
 /// Energy of the powder now, summed in a fixed order.
 Energy energy_of(const Simulation& simulation);
 
-/// Difference between the energy there is and the energy the ledger expects, over the energy turned over so
+/// Difference between the energy there is and the energy the ledger expects, over the energy exchanged so
 /// far.
 double energy_balance_error(const Simulation& simulation);
 

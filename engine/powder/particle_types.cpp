@@ -41,9 +41,9 @@ ContactLaws one_powder(const laws::LawParameters& grains, const laws::LawParamet
 
 ParticleTypes::ParticleTypes(std::vector<ParticleType> types) : types_(std::move(types)) {
   require(!types_.empty(), "a powder needs at least one particle type");
-  require(types_.size() <= kMostTypes, "a powder of " + std::to_string(types_.size()) +
-                                           " particle types: at most " + std::to_string(kMostTypes) +
-                                           " are allowed; take fewer size classes");
+  require(types_.size() <= kMaxTypes, "a powder of " + std::to_string(types_.size()) +
+                                          " particle types: at most " + std::to_string(kMaxTypes) +
+                                          " are allowed; take fewer size classes");
   for (std::size_t k = 0; k < types_.size(); ++k) {
     check_type(types_[k].shape, k);
     spheres_ = std::max(spheres_, types_[k].shape.spheres());
@@ -51,9 +51,9 @@ ParticleTypes::ParticleTypes(std::vector<ParticleType> types) : types_(std::move
   class_of_sphere_.resize(types_.size() * spheres_);
   smallest_sphere_ = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < types_.size(); ++k) include(static_cast<TypeNumber>(k));
-  require(classes_.size() <= kMostClasses,
+  require(classes_.size() <= kMaxClasses,
           "grains of " + std::to_string(classes_.size()) + " types and sphere radii: at most " +
-              std::to_string(kMostClasses) + " are allowed; take fewer types or clumps of equal spheres");
+              std::to_string(kMaxClasses) + " are allowed; take fewer types or clumps of equal spheres");
   make_unturnable();
 }
 

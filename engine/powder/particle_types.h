@@ -56,7 +56,7 @@ struct SphereClass {
 class ParticleTypes {
  public:
   /// Largest number of types and of classes: laws are made for all their pairs.
-  static constexpr std::size_t kMostTypes = 256, kMostClasses = 1024;
+  static constexpr std::size_t kMaxTypes = 256, kMaxClasses = 1024;
 
   /// Throws std::invalid_argument for no types or too many, or a type without spheres, mass or moment of
   /// inertia. Where some types rotate and others do not, the others get moments of inertia that nothing
@@ -93,7 +93,7 @@ class ParticleTypes {
   double farthest_sphere() const { return farthest_sphere_; }
   /// m: over the length |q - q_0| by which a grain's quaternion changes when it turns, how far a sphere goes
   /// at most. One at distance r goes no farther than 2 r |q - q_0|.
-  double way_per_turn() const { return 2 * farthest_sphere_; }
+  double displacement_per_turn() const { return 2 * farthest_sphere_; }
 
  private:
   void include(TypeNumber type);

@@ -14,19 +14,19 @@ void SphereField::reorder_motion(const std::vector<std::uint32_t>& order) {
   }
 }
 
-void SphereField::stand_at(const std::vector<Eigen::Vector3d>& position,
-                           const std::vector<Quaternion>& orientation) {
+void SphereField::set_poses(const std::vector<Eigen::Vector3d>& position,
+                            const std::vector<Quaternion>& orientation) {
   position_ = position.data();
   orientation_ = orientation.data();
 }
 
-void SphereField::move_at(const std::vector<Eigen::Vector3d>& velocities,
-                          const std::vector<Eigen::Vector3d>& spins) {
+void SphereField::set_motions(const std::vector<Eigen::Vector3d>& velocities,
+                              const std::vector<Eigen::Vector3d>& spins) {
   velocity_ = velocities.data();
   spin_ = spins.data();
 }
 
-void SphereField::hold_places(ThreadPool& pool) {
+void SphereField::cache_positions(ThreadPool& pool) {
   if (spheres_per_grain == 1) return;
   constexpr std::size_t kGrainsAtATime = 2048;
   placed_.resize(real());

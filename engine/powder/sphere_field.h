@@ -41,15 +41,16 @@ struct SphereField {
   /// Velocities and spins of clumped grains follow them: entry k becomes the former entry order[k]. Grains
   /// that have just been added have none yet.
   void reorder_motion(const std::vector<std::uint32_t>& order);
-  /// Grains are from now on at `position` (m) with `orientation` (none for single spheres). Whoever moves
-  /// either array to another place has to say so again.
-  void stand_at(const std::vector<Eigen::Vector3d>& position, const std::vector<Quaternion>& orientation);
-  /// Single spheres move from now on at `velocities` (m/s) with `spins` (rad/s). As above.
-  void move_at(const std::vector<Eigen::Vector3d>& velocities, const std::vector<Eigen::Vector3d>& spins);
-  /// Holds the places of clumped grains' spheres as they are now, for many questions at one instant, and
-  /// lets go of them.
-  void hold_places(ThreadPool& pool);
-  void drop_places() { placed_.clear(); }
+  /// Sets the arrays that poses are read from: `position` (m) and `orientation` (none for single spheres). To
+  /// be called again when either array moves in memory.
+  void set_poses(const std::vector<Eigen::Vector3d>& position, const std::vector<Quaternion>& orientation);
+  /// Sets the arrays that motions of single spheres are read from: `velocities` (m/s) and `spins` (rad/s). As
+  /// above.
+  void set_motions(const std::vector<Eigen::Vector3d>& velocities, const std::vector<Eigen::Vector3d>& spins);
+  /// Caches the present positions of clumped grains' spheres, for many queries at one instant; clears the
+  /// cache.
+  void cache_positions(ThreadPool& pool);
+  void clear_cached_positions() { placed_.clear(); }
 
   /// Numbers of spheres of real grains.
   std::size_t real() const { return grains * spheres_per_grain; }
@@ -98,8 +99,8 @@ struct SphereField {
   Vector3 grain_centre(std::size_t k) const { return plain(position_[k]); }
   /// Body to laboratory, of clumped real grain k.
   PlainQuaternion orientation(std::size_t k) const { return plain(orientation_[k]); }
-  /// Asks for what is going to be read soon of real grain k.
-  /// Always in place: prefetch.h says why.
+  /// Prefetches what will be read of real grain k.
+  /// Always inlined: prefetch.h gives the reason.
   [[gnu::always_inline]] void fetch(std::size_t k) const {
     __builtin_prefetch(position_ + k);
     if (spheres_per_grain == 1) {

@@ -15,7 +15,7 @@ namespace diefill::engine {
 class AdaptiveSkin {
  public:
   /// How often half the smallest skin fits into what a fast grain may move.
-  static constexpr std::uint8_t kMostDoublings = 7;
+  static constexpr std::uint8_t kMaxDoublings = 7;
 
   /// `fixed`: m, or 0 to adapt; `sphere_radius` in m. `room`: m, how far a fast grain may move at most.
   AdaptiveSkin(double fixed, double sphere_radius, double room = 1e300)
@@ -52,7 +52,7 @@ class AdaptiveSkin {
     const double expected = kSpare * step_length * kBalance * radius_ / skin;
     std::uint8_t count = 0;
     for (double allowance = 0.5 * skin;
-         count < kMostDoublings && allowance < expected && 2 * allowance <= largest_allowance();
+         count < kMaxDoublings && allowance < expected && 2 * allowance <= largest_allowance();
          allowance *= 2)
       ++count;
     return count;

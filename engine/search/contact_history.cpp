@@ -7,7 +7,7 @@
 
 namespace diefill::engine {
 
-void ContactHistory::make_places() {
+void ContactHistory::finish_reserving() {
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   partner_.resize(first_.back());
   // One number more, so that find() can point to the history of pairs of width 0.
@@ -53,8 +53,8 @@ ContactHistory history_of(const std::vector<Block>& blocks, std::size_t width, s
     });
   };
   ContactHistory history(width, spheres);
-  for_all_by_sphere([&](const Remembered& pair) { history.announce(pair.a); });
-  history.make_places();
+  for_all_by_sphere([&](const Remembered& pair) { history.reserve_pair(pair.a); });
+  history.finish_reserving();
   for_all_by_sphere([&](const Remembered& pair) { history.add(pair.a, pair.b, pair.history, pair.sign); });
   return history;
 }

@@ -13,17 +13,17 @@ namespace diefill::engine {
 
 /// Touching pairs outside any table, named by sphere `a` and its partner `b`. For grain pairs both are
 /// spheres of grains (never images) with a < b; for walls b is the wall sphere's number over all bodies.
-/// Pairs are sorted by `a`: all are announced first and added then, so that each finds its place at once.
+/// Pairs are sorted by `a`: space for all is reserved first, then they are added.
 class ContactHistory {
  public:
   ContactHistory() = default;
   /// `width`: numbers stored per pair; `spheres`: number of spheres that `a` counts over.
   ContactHistory(std::size_t width, std::size_t spheres) : width_(width), first_(spheres + 2, 0) {}
 
-  /// One more pair of `a` will be added.
-  void announce(std::uint32_t a) { ++first_[a + 2]; }
-  /// Ends announcing.
-  void make_places();
+  /// Reserves space for one more pair of `a`.
+  void reserve_pair(std::uint32_t a) { ++first_[a + 2]; }
+  /// Ends reserving.
+  void finish_reserving();
   /// Adds the history of pair (a, b); `sign`: factor of each number, or nullptr.
   void add(std::uint32_t a, std::uint32_t b, const double* history, const double* sign);
 

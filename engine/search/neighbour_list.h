@@ -29,8 +29,8 @@ inline double radius_of(const NeighbourSettings& settings, const SphereField& sp
   return settings.sphere_radii[settings.sphere_radii.size() == 1 ? 0 : spheres.class_of(sphere)];
 }
 
-/// The powder and the bodies as they stood when the list was made: all that is needed to tell when it is too
-/// old, and to make it again.
+/// The powder and the bodies as they stood when the list was made: all that is needed to determine when it is
+/// too old, and to make it again.
 struct ListReference {
   std::vector<Eigen::Vector3d> position;  ///< m, of grains
   std::vector<Quaternion> orientation;    ///< of grains of several spheres

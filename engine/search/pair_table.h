@@ -132,7 +132,8 @@ struct GrainPairTable {
   /// numbers are set.
   void make_room_to_remember(std::vector<double>& remembered, std::size_t count) const {
     const std::size_t needed = (count + 1) * width + kSpare;
-    // Contacts come and go, and rooms go from block to block: fresh memory costs more than some that is idle.
+    // Contacts come and go, and buffers go from block to block: fresh memory costs more than some that is
+    // idle.
     if (remembered.capacity() < needed || remembered.capacity() > 2 * needed)
       make_room(remembered, needed + needed / 8);
     remembered.resize(needed);
@@ -143,8 +144,8 @@ struct GrainPairTable {
   void keep(std::vector<double>& remembered) { history.swap(remembered); }
   /// Memory number `place`: counted from 1 among those of touching pairs, or kNothing.
   const double* history_at(std::uint32_t place) const { return history.data() + place * width; }
-  /// Asks for `count` memories from `place` on, which are going to be read soon, as far as there are so many.
-  /// Always in place: prefetch.h says why.
+  /// Prefetches `count` histories from `place` on, as far as there are so many.
+  /// Always inlined: prefetch.h gives the reason.
   [[gnu::always_inline]] void fetch_history(std::size_t place, std::size_t count) const {
     constexpr std::size_t kCacheLine = 64 / sizeof(double);
     const std::size_t end = std::min((place + count) * width, history.size());

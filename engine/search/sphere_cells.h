@@ -27,7 +27,7 @@ class SphereCells {
   };
 
   /// Sorts the centres of all spheres into cells of edge at least `cell` (m). In a cell they follow each
-  /// other by their numbers, whoever has put them there.
+  /// other by their numbers, whichever thread has put them there.
   void build(const SphereField& spheres, double cell, ThreadPool& pool);
   /// The same for some of them only, given by their numbers.
   void build(const SphereField& spheres, std::vector<std::uint32_t> members, double cell, ThreadPool& pool);

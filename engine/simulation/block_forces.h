@@ -21,7 +21,7 @@ void gather(const SimulationState& state, std::size_t b, ContactSums& contacts, 
       const Vector3 arm = plain(places(b)[own.begin + k]) - plain(own.reference);
       contacts.add_moment(k, -cross(arm, contacts.force(k)));
     }
-  constexpr std::uint32_t kAhead = 32;  // sums of other blocks lie anywhere: they are asked for in time
+  constexpr std::uint32_t kAhead = 32;  // sums of other blocks lie anywhere: they are prefetched
   const std::uint32_t end = list.foreign_first()[b + 1];
   for (std::uint32_t f = list.foreign_first()[b]; f < end; ++f) {
     if (f + kAhead < end) {

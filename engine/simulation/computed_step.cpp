@@ -39,8 +39,8 @@ ContactHistory history_of(const NamedContacts& named, std::size_t width, std::si
   }
   const auto turned = [&](std::size_t k) { return !sign.empty() && numbers[k].second < numbers[k].first; };
   for (std::size_t k = 0; k < numbers.size(); ++k)
-    history.announce(turned(k) ? numbers[k].second : numbers[k].first);
-  history.make_places();
+    history.reserve_pair(turned(k) ? numbers[k].second : numbers[k].first);
+  history.finish_reserving();
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const auto [own, other] = numbers[k];
     const double* remembered = named.history.data() + k * width;
@@ -54,7 +54,7 @@ ContactHistory history_of(const NamedContacts& named, std::size_t width, std::si
 
 }  // namespace
 
-void Simulation::take_step(const ComputedStep& computed) {
+void Simulation::apply_computed_step(const ComputedStep& computed) {
   SimulationState& now = state_;
   now.time = static_cast<double>(++now.step) * now.settings.time_step;
   move_bodies(now);
@@ -70,7 +70,7 @@ void Simulation::take_step(const ComputedStep& computed) {
   book_wall_work(now);
 }
 
-void Simulation::take_grains(const Grains& computed) {
+void Simulation::apply_computed_grains(const Grains& computed) {
   Grains& grains = state_.grains;
   if (computed.size() != grains.size())
     throw std::invalid_argument("other grains were computed than the simulation has");
@@ -86,10 +86,10 @@ void Simulation::take_grains(const Grains& computed) {
   }
 }
 
-void Simulation::take_grains(const Grains& computed, const NamedContacts& of_grains,
-                             const NamedContacts& of_walls) {
+void Simulation::apply_computed_grains(const Grains& computed, const NamedContacts& of_grains,
+                                       const NamedContacts& of_walls) {
   SimulationState& now = state_;
-  take_grains(computed);
+  apply_computed_grains(computed);
   wrap_grains(now);
   const double cell = now.types.monodisperse() ? 2 * now.types.largest_grain() : now.types.smallest_sphere();
   NewOrder sorted{spatial_order(now.grains.position, cell, now.pool), now.grains.size(), {}};

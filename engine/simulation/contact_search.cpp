@@ -173,7 +173,7 @@ void search_again(SimulationState& state, StepPolicy& policy, const NewOrder& so
   state.spheres.reorder_motion(sorted.order);
   remember_reference(state, sorted.awake);
   search_at_reference(state, sorted.histories, images);
-  state.spheres.stand_at(state.grains.position, state.grains.orientation);
+  state.spheres.set_poses(state.grains.position, state.grains.orientation);
   policy.after_search(state);
 }
 
@@ -189,14 +189,14 @@ void search_at_reference(SimulationState& state, const ContactHistories& histori
     spheres.velocity.resize(spheres.grains);
     spheres.spin.resize(spheres.grains);
   }
-  spheres.move_at(state.grains.velocity, state.grains.spin);
-  spheres.stand_at(reference.position, reference.orientation);
-  spheres.hold_places(state.pool);
+  spheres.set_motions(state.grains.velocity, state.grains.spin);
+  spheres.set_poses(reference.position, reference.orientation);
+  spheres.cache_positions(state.pool);
   state.list.build(spheres, state.bodies, reference, histories.grains, histories.walls, state.pool);
   state.tallies.resize(state.list.blocks().size());
   state.remaining_skin.assign(state.list.blocks().size(), 0);
   measure_clearances(state);
-  spheres.drop_places();
+  spheres.clear_cached_positions();
 }
 
 }  // namespace diefill::engine

@@ -25,7 +25,7 @@ void FreeBodies::release(const FreeBodySpec& spec, Simulation& simulation) {
   if (of(spec.body) != nullptr) throw std::invalid_argument("the body is free already");
   bodies_.push_back(released(spec, simulation.body_motion(spec.body), load_of(simulation, spec.body)));
   poses_.push_back(std::make_shared<BodyMotion>(pose_of(bodies_.back())));
-  put_motions(simulation);
+  apply_motions(simulation);
 }
 
 void FreeBodies::hold(std::size_t body, Simulation& simulation) {
@@ -37,7 +37,7 @@ void FreeBodies::hold(std::size_t body, Simulation& simulation) {
     free.spin.setZero();
     *poses_[k] = pose_of(free);
   }
-  put_motions(simulation);
+  apply_motions(simulation);
 }
 
 void FreeBodies::before_step(const Simulation& simulation) {
@@ -51,10 +51,10 @@ void FreeBodies::after_step(Simulation& simulation) {
   for (std::size_t k = 0; k < bodies_.size(); ++k)
     *poses_[k] = finish(bodies_[k], *poses_[k], load_of(simulation, bodies_[k].spec.body), settings.gravity,
                         settings.time_step);
-  put_motions(simulation);
+  apply_motions(simulation);
 }
 
-void FreeBodies::put_motions(Simulation& simulation) {
+void FreeBodies::apply_motions(Simulation& simulation) {
   for (std::size_t k = 0; k < bodies_.size(); ++k)
     simulation.set_motion(bodies_[k].spec.body, [pose = poses_[k]](double) { return *pose; });
 }
@@ -63,7 +63,7 @@ void FreeBodies::restore(const std::vector<FreeBody>& state, Simulation& simulat
   bodies_ = state;
   poses_.clear();
   for (const FreeBody& free : bodies_) poses_.push_back(std::make_shared<BodyMotion>(pose_of(free)));
-  put_motions(simulation);
+  apply_motions(simulation);
 }
 
 }  // namespace diefill::engine

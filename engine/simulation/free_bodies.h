@@ -24,7 +24,7 @@ class FreeBodies {
   void before_step(const Simulation& simulation);
   void after_step(Simulation& simulation);
   /// To be called when something else has set motions of the simulation's bodies.
-  void put_motions(Simulation& simulation);
+  void apply_motions(Simulation& simulation);
 
   bool any() const { return !bodies_.empty(); }
   /// In the order of their release; all that a restart needs.

@@ -1,4 +1,4 @@
-// What a simulation is asked to compute: powder, laws, numerics. Everything in it is worked out from this and
+// What a simulation computes: powder, laws, numerics. Everything in it is worked out from this and
 // from the walls (simulation_parts.h).
 #pragma once
 

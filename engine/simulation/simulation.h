@@ -40,7 +40,7 @@ class Simulation {
   /// Adds grains at rest or moving; ids continue from the last one given. Throws std::invalid_argument for a
   /// kind that there is not.
   void add_grains(const std::vector<NewGrain>& grains);
-  /// Takes out every grain for which `leaves(position)` is true, asked in their order; returns how many.
+  /// Takes out every grain for which `leaves(position)` is true, called in their order; returns how many.
   std::size_t remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves);
   /// Takes out the grains of these ids; returns how many there were.
   std::size_t remove_grains(const std::vector<std::uint64_t>& ids);
@@ -57,16 +57,17 @@ class Simulation {
   void add_velocities(const std::function<Eigen::Vector3d(std::uint64_t)>& added);
 
   /// One time step that another program has computed (computed_step.h). Grains and contacts stay as they were
-  /// until take_grains() is called.
-  void take_step(const ComputedStep& computed);
+  /// until apply_computed_grains() is called.
+  void apply_computed_step(const ComputedStep& computed);
   /// The powder as another program has computed it up to the present time: the same grains by their ids, in
-  /// any order. Without contacts near pairs are those of before, and nothing that is asked of contacts is
-  /// right. Throws std::invalid_argument for other grains.
-  void take_grains(const Grains& computed);
-  void take_grains(const Grains& computed, const NamedContacts& of_grains, const NamedContacts& of_walls);
+  /// any order. Without contacts near pairs are those of before, and nothing that is derived from contacts is
+  /// valid. Throws std::invalid_argument for other grains.
+  void apply_computed_grains(const Grains& computed);
+  void apply_computed_grains(const Grains& computed, const NamedContacts& of_grains,
+                             const NamedContacts& of_walls);
 
   Snapshot snapshot() const;
-  /// Goes on from `snapshot`, which must come from the same settings and walls; bodies' motions must have
+  /// Resumes from `snapshot`, which must come from the same settings and walls; bodies' motions must have
   /// been set.
   void restore(const Snapshot& snapshot);
   std::uint64_t hash() const { return state_hash(state_.step, state_.grains); }
@@ -108,7 +109,7 @@ class Simulation {
   const DeepestOverlap& overlaps_of_run() const { return state_.overlap_of_run; }
   const Ledger& ledger() const { return state_.ledger; }
   const PhaseTimers& timers() const { return state_.timers; }
-  /// From now on loop_times() tells how long each worker was busy (ThreadPool::time_loops).
+  /// From now on loop_times() gives how long each worker was busy (ThreadPool::time_loops).
   void time_loops() { state_.pool.time_loops(); }
   LoopTimes loop_times() const { return state_.pool.loop_times(); }
 

@@ -77,7 +77,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   recall(now.list.blocks(), &Block::grain_pairs, snapshot.grain_history);
   recall(now.list.blocks(), &Block::wall_pairs, snapshot.wall_history);
   policy_->after_search(now);
-  now.spheres.stand_at(now.grains.position, now.grains.orientation);
+  now.spheres.set_poses(now.grains.position, now.grains.orientation);
   move_bodies(now);
 }
 

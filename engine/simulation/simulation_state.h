@@ -65,7 +65,7 @@ struct SimulationState {
   Ledger ledger;
   PhaseTimers timers;
 
-  // Who does the work.
+  // Threads and their memory.
   ThreadPool pool;
   PerWorker<BlockWorkspace> workspaces;
 

@@ -102,16 +102,16 @@ void SleepPolicy::finish_block(SimulationState& state, std::size_t b, const Cont
   });
 }
 
-/// Wakes whoever is disturbed and puts to sleep whoever is tired.
+/// Wakes disturbed grains and puts candidates to sleep.
 void SleepPolicy::end_step(SimulationState& state) {
   for (std::size_t b = 0; b < rests_.size(); ++b)
     if (rests_[b]) state.sleep.sphere_steps_left_out += state.list.blocks()[b].own_spheres();
   if (state.step % kStepsPerCheck != 0) return;
   weigh_sleepers(state);
-  look_at_grains(state);
+  check_grains(state);
   wake_these(state, disturbed(state, rests_));
   wake_these(state, sleepers_within(state, state.settings.sleep->awake));
-  look_for_tired(state);
+  put_candidates_to_sleep(state);
 }
 
 /// Forces and torques on sleepers, which no step has brought up to date.
@@ -133,7 +133,7 @@ void SleepPolicy::weigh_sleepers(SimulationState& state) const {
   });
 }
 
-void SleepPolicy::look_for_tired(SimulationState& state) {
+void SleepPolicy::put_candidates_to_sleep(SimulationState& state) {
   if (fall_asleep(state)) sort_and_search(state, *this);
 }
 
@@ -142,7 +142,7 @@ bool SleepPolicy::fall_asleep(SimulationState& state) {
   auto restless = moving_tools(state);
   const auto& awake = state.settings.sleep->awake;
   restless.insert(restless.end(), awake.begin(), awake.end());
-  const auto fallen = tired(state, restless);
+  const auto fallen = sleep_candidates(state, restless);
   for (const std::uint32_t k : fallen) {
     const double kinetic = kinetic_energy(state, k, Eigen::Vector3d::Zero());
     state.ledger.sleep_work += 0.5 * state.shape_of(k).mass * velocity.squaredNorm() - kinetic;

@@ -22,10 +22,10 @@ class SleepPolicy : public StepPolicy {
   virtual void finish_resting_block(SimulationState&, std::size_t) {}
   /// `contacts`: gathered for the block's grains.
   virtual void finish_block(SimulationState& state, std::size_t b, const ContactSums& contacts);
-  /// Puts to sleep who is tired; at every look.
-  virtual void look_for_tired(SimulationState& state);
+  /// Puts candidates (sleep_candidates()) to sleep; at every check.
+  virtual void put_candidates_to_sleep(SimulationState& state);
 
-  /// Whether anybody falls asleep: contacts must then be searched.
+  /// Whether any grain falls asleep: contacts must then be searched.
   static bool fall_asleep(SimulationState& state);
   void wake_all(SimulationState& state);
 

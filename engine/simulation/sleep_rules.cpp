@@ -7,9 +7,9 @@ namespace diefill::engine {
 
 namespace {
 
-/// Grains that must be tired before contacts are searched for their sake: a block's worth of spheres, or this
-/// share of those awake where that is less. A search costs as much as several steps.
-constexpr std::size_t kFewestSpheres = 1024, kFewestShare = 16;
+/// Grains that must be candidates before contacts are searched for their sake: a block's worth of spheres, or
+/// this share of those awake where that is less. A search costs as much as several steps.
+constexpr std::size_t kMinSpheres = 1024, kMinShare = 16;
 
 /// When a grain of one type is slow, and what wakes it or those it touches.
 struct Limits {
@@ -64,10 +64,10 @@ void watch(SimulationState& state, std::size_t k, const Limits& limits, const Bo
   bool slow = kinetic_energy(state, k, carrier.velocity) < limits.slow_energy;
   if (slow && limits.stray > 0) {
     const Eigen::Vector3d place = state.grains.position[k] - carrier.translation;
-    if (sleep.looks[k] == 0) sleep.place[k] = place;
+    if (sleep.checks[k] == 0) sleep.place[k] = place;
     slow = (place - sleep.place[k]).norm() < limits.stray;
   }
-  sleep.looks[k] = slow ? sleep.looks[k] + 1 : 0;
+  sleep.checks[k] = slow ? sleep.checks[k] + 1 : 0;
 }
 
 /// 1 for every awake grain that has been slow for long enough, away from tools that move, and every sleeper.
@@ -77,7 +77,7 @@ std::vector<std::uint8_t> calm(const SimulationState& state,
   std::vector<std::uint8_t> calm(state.grains.size());
   for (std::size_t k = 0; k < calm.size(); ++k)
     calm[k] = state.sleep.sleeps(k) ||
-              (state.sleep.looks[k] >= needed && !in_any(restless, state.grains.position[k]));
+              (state.sleep.checks[k] >= needed && !in_any(restless, state.grains.position[k]));
   return calm;
 }
 
@@ -114,7 +114,7 @@ double kinetic_energy(const SimulationState& state, std::size_t k, const Eigen::
   return energy;
 }
 
-void look_at_grains(SimulationState& state) {
+void check_grains(SimulationState& state) {
   const auto limits = limits_of_types(state);
   const BodyMotion carrier = carrier_motion(state);
   SleepState& sleep = state.sleep;
@@ -123,8 +123,8 @@ void look_at_grains(SimulationState& state) {
       watch(state, k, limits[state.grains.type_of(k)], carrier);
       continue;
     }
-    if (sleep.looks[k] == 0) sleep.force[k] = state.grains.force[k];
-    ++sleep.looks[k];
+    if (sleep.checks[k] == 0) sleep.force[k] = state.grains.force[k];
+    ++sleep.checks[k];
   }
 }
 
@@ -171,11 +171,11 @@ void wake(SimulationState& state, const std::vector<std::uint32_t>& sleepers) {
     if (touched[k] && state.sleep.sleeps(k)) state.sleep.wake(k);
 }
 
-std::vector<std::uint32_t> tired(const SimulationState& state,
-                                 const std::vector<Eigen::AlignedBox3d>& restless) {
+std::vector<std::uint32_t> sleep_candidates(const SimulationState& state,
+                                            const std::vector<Eigen::AlignedBox3d>& restless) {
   const std::size_t asleep_now = state.sleep.sleepers(), awake = state.grains.size() - asleep_now;
   const std::size_t fewest =
-      std::max<std::size_t>(1, std::min(awake / kFewestShare, kFewestSpheres / state.types.spheres()));
+      std::max<std::size_t>(1, std::min(awake / kMinShare, kMinSpheres / state.types.spheres()));
   const auto slow = calm(state, restless);
   if (static_cast<std::size_t>(std::count(slow.begin(), slow.end(), 1)) < asleep_now + fewest) return {};
   auto candidates = slow;

@@ -5,7 +5,7 @@
 
 namespace diefill::engine {
 
-SleepSettings riding_on(std::size_t carrier) {
+SleepSettings co_moving_with(std::size_t carrier) {
   SleepSettings settings;
   settings.energy = 0.05;  // a speed of 0.32 sqrt(g d)
   settings.time = 10e-3;
@@ -28,7 +28,7 @@ std::size_t SleepState::sleepers() const {
 
 void SleepState::resize(std::size_t grains, const SleepSettings& settings) {
   asleep.resize(grains, 0);
-  looks.resize(grains, 0);
+  checks.resize(grains, 0);
   force.resize(grains, Eigen::Vector3d::Zero());
   if (settings.stray > 0) place.resize(grains, Eigen::Vector3d::Zero());
 }
@@ -37,7 +37,7 @@ void SleepState::reorder(const std::vector<std::uint32_t>& order) {
   SleepState sorted;
   for (const std::uint32_t k : order) {
     sorted.asleep.push_back(asleep[k]);
-    sorted.looks.push_back(looks[k]);
+    sorted.checks.push_back(checks[k]);
     sorted.force.push_back(force[k]);
     if (!place.empty()) sorted.place.push_back(place[k]);
   }
@@ -48,18 +48,18 @@ void SleepState::reorder(const std::vector<std::uint32_t>& order) {
 void SleepState::put_to_sleep(const std::vector<std::uint32_t>& grains) {
   for (const std::uint32_t k : grains) {
     asleep[k] = 1;
-    looks[k] = 0;
+    checks[k] = 0;
   }
 }
 
 void SleepState::wake(std::size_t grain) {
   asleep[grain] = 0;
-  looks[grain] = 0;
+  checks[grain] = 0;
 }
 
 void SleepState::wake_all() {
   std::fill(asleep.begin(), asleep.end(), std::uint8_t{0});
-  std::fill(looks.begin(), looks.end(), 0U);
+  std::fill(checks.begin(), checks.end(), 0U);
 }
 
 }  // namespace diefill::engine

@@ -7,7 +7,7 @@
 // moves, and wakes those it touches with it. What sleeping costs is what awake powder would still have done:
 // creep below the limits, and loads that pass through sleeping powder without being passed on until it wakes.
 //
-// Grains may sleep in the frame of a body that moves without turning: powder that rides in a shoe is carried
+// Grains may sleep in the frame of a body that moves without turning: powder in a moving shoe is carried
 // along as a block.
 #pragma once
 
@@ -24,30 +24,30 @@ struct SleepSettings {
   double time = 5e-3;    ///< s for which a grain and those it touches must have been slow
   double force = 0.5;    ///< over m g: by how much the force on a sleeping grain changes before it wakes
   double speed = 10;     ///< of a grain that wakes what it touches, over that at which it is just slow
-  double stray = 0;      ///< over d: how far a grain may have got within `time`; 0: as far as it likes
+  double stray = 0;      ///< over d: how far a grain may have got within `time`; 0: no limit
   /// Number of the body in whose frame grains sleep; nothing: they stand still. Tools at rest in the
   /// laboratory then do not wake what is carried over them.
   std::optional<std::size_t> carrier;
   double acceleration = 0.1;               ///< over g: of the carrier, at which all wake
-  std::vector<Eigen::AlignedBox3d> awake;  ///< m, laboratory frame: where nobody sleeps
+  std::vector<Eigen::AlignedBox3d> awake;  ///< m, laboratory frame: where no grain sleeps
 };
 
-/// Powder that rides on the body of number `carrier` sleeps in spite of what it feels of a floor it slides
-/// over, bump by bump: what counts is that it gets nowhere, and it wakes when neighbours flow away. Powder
-/// that must be free to flow is for SleepSettings::awake to name.
-SleepSettings riding_on(std::size_t carrier);
+/// Settings for powder that moves with the body of number `carrier`: it sleeps although the floor it slides
+/// over exerts varying forces on it, as long as it does not move relative to the carrier, and wakes when
+/// neighbours flow away. Powder that must be free to flow is for SleepSettings::awake to name.
+SleepSettings co_moving_with(std::size_t carrier);
 
 /// Throws std::invalid_argument for limits that are not positive.
 void check(const SleepSettings& settings);
 
-/// Who sleeps, and all that a restart needs to know of it; entry k of every array belongs to grain k. Empty
+/// Which grains sleep, and all that a restart needs of it; entry k of every array belongs to grain k. Empty
 /// where no grains are put to sleep.
 struct SleepState {
   std::vector<std::uint8_t> asleep;
-  /// Looks in a row: of an awake grain those at which it was slow, of a sleeping one those since it fell
+  /// Consecutive checks: of an awake grain those at which it was slow, of a sleeping one those since it fell
   /// asleep.
-  std::vector<std::uint32_t> looks;
-  std::vector<Eigen::Vector3d> force;  ///< N, on a sleeping grain when it was first looked at
+  std::vector<std::uint32_t> checks;
+  std::vector<Eigen::Vector3d> force;  ///< N, on a sleeping grain when it was first checked
   /// m, of an awake grain against its carrier when it began to be slow; empty where it may stray.
   std::vector<Eigen::Vector3d> place;
   std::uint64_t sphere_steps_left_out = 0;  ///< spheres of blocks at rest, summed over steps

@@ -1,4 +1,4 @@
-// A snapshot: everything that a run needs to go on bit for bit as if it had never stopped.
+// A snapshot: everything that a run needs to resume bit for bit as if it had never stopped.
 #pragma once
 
 #include <cstdint>

@@ -23,7 +23,7 @@ double remaining_skin(const SimulationState& state, const Block& block) {
   };
   double least = std::numeric_limits<double>::infinity();
   if (!state.types.clumps()) {
-    std::array<double, AdaptiveSkin::kMostDoublings + 1> farthest{};  // m^2, of those that may go as far
+    std::array<double, AdaptiveSkin::kMaxDoublings + 1> farthest{};  // m^2, of those that may go as far
     for (std::size_t k = block.begin; k < block.end; ++k) {
       const Vector3 moved = way(k);
       double& squared = farthest[reference.doublings[k]];
@@ -33,11 +33,11 @@ double remaining_skin(const SimulationState& state, const Block& block) {
       least = std::min(least, reference.allowance_of(doublings) - std::sqrt(farthest[doublings]));
     return least;
   }
-  const double way_per_turn = state.types.way_per_turn();
+  const double displacement_per_turn = state.types.displacement_per_turn();
   for (std::size_t k = block.begin; k < block.end; ++k) {
     const PlainQuaternion turn = plain(grains.orientation[k]) - plain(reference.orientation[k]);
-    least =
-        std::min(least, reference.allowance(k) - length(way(k)) - way_per_turn * std::sqrt(dot(turn, turn)));
+    least = std::min(
+        least, reference.allowance(k) - length(way(k)) - displacement_per_turn * std::sqrt(dot(turn, turn)));
   }
   return least;
 }

@@ -1,4 +1,4 @@
-// Phases of a step that are the same whoever sleeps.
+// Phases of a step that are the same for all step policies.
 #pragma once
 
 #include "engine/simulation/step_policy.h"

@@ -1,7 +1,7 @@
 #include "engine/simulation/step_policy.h"
 
-#include "engine/simulation/every_grain.h"
-#include "engine/simulation/riding_policy.h"
+#include "engine/simulation/all_grains_policy.h"
+#include "engine/simulation/co_moving_policy.h"
 #include "engine/simulation/step_phases.h"
 
 namespace diefill::engine {
@@ -11,9 +11,9 @@ void StepPolicy::move_tools(SimulationState& state) {
 }
 
 std::unique_ptr<StepPolicy> policy_for(const SimulationSettings& settings) {
-  if (!settings.sleep) return std::make_unique<EveryGrain>();
+  if (!settings.sleep) return std::make_unique<AllGrainsPolicy>();
   if (!settings.sleep->carrier) return std::make_unique<SleepPolicy>();
-  return std::make_unique<RidingPolicy>();
+  return std::make_unique<CoMovingPolicy>();
 }
 
 }  // namespace diefill::engine

@@ -31,7 +31,7 @@ class StepPolicy {
   virtual void end_step(SimulationState&) {}
 };
 
-/// The policy that the settings ask for.
+/// The policy for these settings.
 std::unique_ptr<StepPolicy> policy_for(const SimulationSettings& settings);
 
 }  // namespace diefill::engine

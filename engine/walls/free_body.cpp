@@ -61,7 +61,7 @@ void check(const FreeBodySpec& spec) {
   if (!(spec.mass > 0)) throw std::invalid_argument("a free body needs a mass above 0");
   if (!spec.guide.isZero() && !is_unit(spec.guide))
     throw std::invalid_argument("the guide of a free body must be a unit vector");
-  if (spec.stop_count > FreeBodySpec::kMostStops)
+  if (spec.stop_count > FreeBodySpec::kMaxStops)
     throw std::invalid_argument("a free body has too many stops");
   for (std::size_t k = 0; k < spec.stop_count; ++k) {
     const TravelStop& stop = spec.stops[k];

@@ -22,7 +22,7 @@ struct TravelStop {
 
 /// What a free body is and how it starts. SI units.
 struct FreeBodySpec {
-  static constexpr std::size_t kMostStops = 6;
+  static constexpr std::size_t kMaxStops = 6;
 
   std::size_t body = 0;                                ///< number of the wall body
   double mass = 0;                                     ///< kg
@@ -33,7 +33,7 @@ struct FreeBodySpec {
   Eigen::Vector3d drive = Eigen::Vector3d::Zero();     ///< N, constant force beside weight and contacts
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s, of the centre at the release
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s, laboratory frame, at the release
-  std::array<TravelStop, kMostStops> stops;
+  std::array<TravelStop, kMaxStops> stops;
   std::size_t stop_count = 0;
 };
 

@@ -9,7 +9,7 @@ namespace diefill::engine {
 namespace {
 
 /// Cells of a body are limited to this number; larger cells then make up for it.
-constexpr double kMostCells = 1.6e7;
+constexpr double kMaxCells = 1.6e7;
 
 }  // namespace
 
@@ -23,7 +23,7 @@ TriangleCells::TriangleCells(const std::vector<WallTriangle>& triangles, double 
       upper = upper.cwiseMax(corner);
     }
   const Eigen::Vector3d room = upper - lower_ + Eigen::Vector3d::Constant(reach);
-  while (room.prod() / (cell_size_ * cell_size_ * cell_size_) > kMostCells) cell_size_ *= 1.2;
+  while (room.prod() / (cell_size_ * cell_size_ * cell_size_) > kMaxCells) cell_size_ *= 1.2;
   for (int axis = 0; axis < 3; ++axis)
     cells_[axis] = static_cast<int>(std::floor((upper[axis] - lower_[axis]) / cell_size_)) + 1;
 

@@ -10,7 +10,7 @@ namespace diefill::engine {
 namespace {
 
 /// Cells of a body are limited to this number; larger cells then make up for it.
-constexpr double kMostCells = 1.6e7;
+constexpr double kMaxCells = 1.6e7;
 /// m, extent of a body that has no end: any turn moves its far parts far.
 constexpr double kEndless = 1e6;
 
@@ -32,7 +32,7 @@ WallBody::WallBody(WallBodySpec spec, double reach) : spec_(std::move(spec)), re
   if (spec_.centres.empty()) return;
   cell_size_ = reach;
   const Eigen::Vector3d size = upper_ - lower_ + Eigen::Vector3d::Constant(4 * reach);
-  while (size.prod() / (cell_size_ * cell_size_ * cell_size_) > kMostCells) cell_size_ *= 1.2;
+  while (size.prod() / (cell_size_ * cell_size_ * cell_size_) > kMaxCells) cell_size_ *= 1.2;
   // One empty cell all round, so that neighbours of a cell with spheres always exist.
   for (int axis = 0; axis < 3; ++axis)
     cells_[axis] = static_cast<int>(std::floor((upper_[axis] - lower_[axis]) / cell_size_)) + 3;

@@ -128,6 +128,41 @@ void check_ply(const std::string& name, const std::string& bytes) {
       refuse_count(name, element.count, element.name + " elements", bytes.size());
 }
 
+/// The next line with something else than a comment; false at the end.
+bool next_line_of_off(std::istream& lines, std::istringstream& words) {
+  for (std::string line; std::getline(lines, line);) {
+    line.resize(std::min(line.find('#'), line.size()));
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    words = std::istringstream(line);
+    return true;
+  }
+  return false;
+}
+
+/// Throws where a face has a corner that the file does not define: the importer would take another one. Of a
+/// file with a corner or a face a line, as programs write it; others are left to the importer.
+void check_off_faces(const std::string& name, const std::string& bytes) {
+  std::istringstream lines(bytes), words;
+  std::string head;
+  std::uint64_t vertices = 0, faces = 0;
+  if (!next_line_of_off(lines, words) || !(words >> head) || head != "OFF") return;
+  if (!(words >> vertices >> faces) && (!next_line_of_off(lines, words) || !(words >> vertices >> faces)))
+    return;
+  if (vertices > bytes.size() / 2 || faces > bytes.size() / 2) return;
+  double coordinate = 0;
+  for (std::uint64_t k = 0; k < vertices; ++k)
+    if (!next_line_of_off(lines, words) || !(words >> coordinate >> coordinate >> coordinate)) return;
+  for (std::uint64_t face = 0; face < faces; ++face) {
+    std::int64_t corners = 0, corner = 0;
+    if (!next_line_of_off(lines, words) || !(words >> corners)) return;
+    for (; corners > 0 && words >> corner; --corners)
+      if (corner < 0 || static_cast<std::uint64_t>(corner) >= vertices)
+        throw MeshError(name + " is damaged: face " + std::to_string(face + 1) + " has the corner " +
+                        std::to_string(corner) + ", but its " + std::to_string(vertices) +
+                        " corners are counted from 0; export it again");
+  }
+}
+
 void check_off(const std::string& name, const std::string& bytes) {
   std::istringstream words(bytes.substr(0, kLookForText));
   std::string head;
@@ -136,6 +171,7 @@ void check_off(const std::string& name, const std::string& bytes) {
   if (!(words >> head >> vertices >> faces)) return;
   if (vertices > bytes.size() / 2) refuse_count(name, vertices, "corners", bytes.size());
   if (faces > bytes.size() / 2) refuse_count(name, faces, "faces", bytes.size());
+  check_off_faces(name, bytes);
 }
 
 /// The bytes a binary STL file announces, or the closing word of a text, must be there.

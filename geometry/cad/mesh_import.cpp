@@ -15,6 +15,7 @@
 #include "geometry/cad/read_text_stl.h"
 #include "geometry/cad/referred_files.h"
 #include "geometry/cad/shown_text.h"
+#include "geometry/cad/unit_of_3mf.h"
 #include "geometry/cad/wanted_part.h"
 #include "geometry/grids/distinct_points.h"
 #include "geometry/grids/point_grid.h"
@@ -29,7 +30,8 @@ constexpr double kJoinTolerance = 1e-7;
 constexpr double kRemarkedStep = 1e-5;  // of the diagonal: rounding that repairs may have to bridge
 constexpr double kRefusedStep = 3e-4;   // of the diagonal: some hundredths of a millimetre on a tool
 constexpr std::size_t kLongestReason = 300;
-constexpr double kSameUnit = 1e-3;  // units of length differ by more
+constexpr double kMillimetre = 1e-3;  // m
+constexpr double kSameUnit = 1e-3;    // units of length differ by more
 
 /// Numbers the vertices that `place_of(vertex)` names by the triangles' first use of them; those without
 /// triangles go.
@@ -92,7 +94,7 @@ double unit_of(const std::filesystem::path& file, const CadParts& contents, cons
   const auto& given = options.metres_per_unit;
   const auto& stated = contents.metres_per_unit;
   if (!stated && !given)
-    throw MeshError(named(file) + " does not state its unit of length: give length_unit");
+    throw MeshError(named(file) + " does not state its unit of length: give length_unit, such as \"mm\"");
   if (stated && given && std::abs(*given / *stated - 1) > kSameUnit)
     throw MeshError(named(file) + " states its unit, " + unit_text(*stated) + ", but " + unit_text(*given) +
                     " is given: remove the unit, or export the file again");
@@ -115,17 +117,37 @@ Mesh wanted(const std::string& file, CadParts contents, const std::string& name,
   return mesh;
 }
 
+/// Curved surfaces take the time and memory of the triangles that are made of them, whatever the file's size.
+std::string remedy(const CadFormat& format, double chord_tolerance, const std::string& reason) {
+  const bool takes_too_much = reason.find("does not terminate") != std::string::npos ||
+                              reason.find("more data than") != std::string::npos;
+  if (format.surface != SurfaceKind::kCurved || !takes_too_much ||
+      chord_tolerance >= ImportOptions{}.chord_tolerance)
+    return "; export it again, best as STEP or STL";
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "; chord_tolerance is \"%.3g mm\", which may ask for too many triangles: give a larger one, or "
+      "remove it (default: %.3g mm)",
+      1e3 * chord_tolerance, 1e3 * ImportOptions{}.chord_tolerance);
+  return text;
+}
+
 CadParts read(const std::filesystem::path& file, const CadFormat& format, double chord_tolerance,
               const std::string& bytes) {
   if (format.ending == "stl" && !is_text_stl(bytes) && is_binary_stl(bytes)) return read_binary_stl(bytes);
   try {
     // Triangles are only copied; a few curved faces can take long to mesh finely.
     const unsigned seconds = format.surface == SurfaceKind::kCurved ? 60 : 10;
-    return read_in_child([&] { return read_cad_parts(file, format, chord_tolerance); },
-                         {bytes.size(), seconds});
+    return read_in_child(
+        [&] {
+          if (format.ending == "3mf") refuse_unknown_unit_of_3mf(bytes);
+          return read_cad_parts(file, format, chord_tolerance);
+        },
+        {bytes.size(), seconds});
   } catch (const std::runtime_error& reason) {
     throw MeshError(named(file) + " cannot be read as " + format.ending + ": " +
-                    shown(reason.what(), kLongestReason) + "; export it again, best as STEP or STL");
+                    shown(reason.what(), kLongestReason) + remedy(format, chord_tolerance, reason.what()));
   }
 }
 
@@ -175,11 +197,16 @@ ImportedPart import_part(const std::filesystem::path& file, const ImportOptions&
                     "': export it as " + cad_formats_text());
   check_content_matches_format(file, format->ending, bytes);
   CadParts contents = read(file, *format, options.chord_tolerance, bytes);
+  const bool curved = format->surface == SurfaceKind::kCurved;
+  // Without a unit the tolerance was applied as if the file were in millimetres.
+  if (curved && !contents.metres_per_unit && options.metres_per_unit &&
+      *options.metres_per_unit != kMillimetre)
+    contents = read(file, *format, options.chord_tolerance * kMillimetre / *options.metres_per_unit, bytes);
 
   ImportedPart result;
   result.unit_from_file = contents.metres_per_unit.has_value();
   result.metres_per_unit = unit_of(file, contents, options);
-  result.curved = format->surface == SurfaceKind::kCurved;
+  result.curved = curved;
   for (const CadPart& part : contents.parts) result.parts.push_back(part.name);
   result.remarks = std::move(contents.remarks);
   result.mesh = wanted(named(file), std::move(contents), options.part, result.metres_per_unit);

@@ -12,7 +12,7 @@ namespace diefill::geometry {
 
 /// What to take from a CAD file, and how.
 struct ImportOptions {
-  std::optional<double> metres_per_unit;  ///< as somebody states it, 0.001 for mm
+  std::optional<double> metres_per_unit;  ///< as stated by the caller, 0.001 for mm
   std::string part;                       ///< its name in the file; empty: everything in the file as one
   double chord_tolerance = 1.5e-6;        ///< m, between curved surfaces and the triangles made of them
 };

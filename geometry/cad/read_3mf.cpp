@@ -10,7 +10,7 @@ namespace diefill::geometry {
 
 namespace {
 
-constexpr std::size_t kMostParts = 100000, kMostCorners = 100000000;
+constexpr std::size_t kMaxParts = 100000, kMaxCorners = 100000000;
 constexpr std::size_t kDeepestNesting =
     32;  // of components in components; a file that nests without end has a loop
 
@@ -86,11 +86,11 @@ class Collector {
     const std::string own = name_of(object);
     const std::string& called = own.empty() ? name : own;
     if (!is_mesh) return add_components(object, placement, assemblies, called);
-    if (parts_.size() == kMostParts) throw std::runtime_error("its components produce too many parts");
+    if (parts_.size() == kMaxParts) throw std::runtime_error("its components produce too many parts");
     parts_.push_back({called, {}, {}, assemblies});
     add_mesh(object, placement, parts_.back().mesh);
     corners_ += parts_.back().mesh.vertices.size();
-    if (corners_ > kMostCorners) throw std::runtime_error("its components produce too many corners");
+    if (corners_ > kMaxCorners) throw std::runtime_error("its components produce too many corners");
   }
 
  private:

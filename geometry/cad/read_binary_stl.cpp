@@ -46,7 +46,7 @@ Mesh read_triangles_from(const std::string& bytes, std::size_t first, std::size_
   mesh.triangles.reserve(count);
   for (std::size_t t = 0; t < count; ++t) {
     if (t + kAhead < count)
-      for (const Eigen::Vector3d& corner : corners_of(bytes, first, t + kAhead)) places.expect(corner);
+      for (const Eigen::Vector3d& corner : corners_of(bytes, first, t + kAhead)) places.prefetch(corner);
     const auto corners = corners_of(bytes, first, t);
     Eigen::Vector3i triangle;
     for (int k = 0; k < 3; ++k)

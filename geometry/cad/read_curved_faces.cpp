@@ -23,6 +23,7 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "geometry/cad/cad_file.h"
@@ -182,7 +183,8 @@ double metres_of(const std::string& unit) {
   return known == units.end() ? kMillimetre : known->second;
 }
 
-double read_step(const std::string& file, Handle(TDocStd_Document) & document) {
+/// Metres per unit; nothing where the file states none: its coordinates then are as if in millimetres.
+std::optional<double> read_step(const std::string& file, Handle(TDocStd_Document) & document) {
   STEPCAFControl_Reader reader;
   reader.SetNameMode(Standard_True);
   reader.SetColorMode(Standard_False);
@@ -197,7 +199,8 @@ double read_step(const std::string& file, Handle(TDocStd_Document) & document) {
     refuse_tessellation(file);
     throw std::runtime_error("none of its parts can be translated");
   }
-  return lengths.IsEmpty() ? kMillimetre : metres_of(lengths.First().ToCString());
+  if (lengths.IsEmpty() || lengths.First().IsEmpty()) return std::nullopt;
+  return metres_of(lengths.First().ToCString());
 }
 
 double read_iges(const std::string& file, Handle(TDocStd_Document) & document) {
@@ -208,8 +211,12 @@ double read_iges(const std::string& file, Handle(TDocStd_Document) & document) {
   const auto model = Handle(IGESData_IGESModel)::DownCast(reader.Model());
   const int flag = model.IsNull() ? 0 : model->GlobalSection().UnitFlag();
   const double millimetres = IGESData_BasicEditor::UnitFlagValue(flag);
+  // OpenCASCADE does not say what it scales the coordinates by where it knows no unit.
+  if (!(millimetres > 0))
+    throw std::runtime_error("its unit of length (unit flag " + std::to_string(flag) +
+                             ") is none that can be read: give it one, such as millimetres");
   if (!reader.Transfer(document)) throw std::runtime_error("none of its parts can be translated");
-  return millimetres > 0 ? millimetres * kMillimetre : kMillimetre;
+  return millimetres * kMillimetre;
 }
 
 CadParts read(const std::filesystem::path& file, const CadFormat& format, double chord_tolerance) {
@@ -218,13 +225,15 @@ CadParts read(const std::filesystem::path& file, const CadFormat& format, double
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   const bool is_iges = format.ending == "iges" || format.ending == "igs";
   CadParts contents;
-  contents.metres_per_unit =
-      is_iges ? read_iges(file.string(), document) : read_step(file.string(), document);
+  if (is_iges)
+    contents.metres_per_unit = read_iges(file.string(), document);
+  else
+    contents.metres_per_unit = read_step(file.string(), document);
   std::vector<Solid> solids = solids_of(document);
   const double chord = chord_tolerance / kMillimetre;
   if (solids.empty() && !is_iges) refuse_tessellation(file.string());
   sew_loose_faces(solids, chord, is_iges);
-  const double file_units_per_millimetre = kMillimetre / *contents.metres_per_unit;
+  const double file_units_per_millimetre = kMillimetre / contents.metres_per_unit.value_or(kMillimetre);
   for (const Solid& solid : solids) {
     contents.parts.push_back({solid.name, triangulated(solid.shape, chord), {}, solid.assemblies});
     for (auto& vertex : contents.parts.back().mesh.vertices) vertex *= file_units_per_millimetre;

@@ -10,7 +10,7 @@
 
 namespace diefill::geometry {
 
-/// Whether `bytes` are text that begins with the word `solid` and goes on with facets or their end; binary
+/// Whether `bytes` are text that begins with the word `solid` and continues with facets or their end; binary
 /// files may begin with that word too. A mark of UTF-8 at the beginning is passed over.
 bool is_text_stl(const std::string& bytes);
 

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "geometry/cad/cad_readers.h"
-#include "geometry/cad/own_folder.h"
+#include "geometry/cad/restricted_io.h"
 #include "geometry/mesh/equal_vertices.h"
 
 namespace diefill::geometry {
@@ -105,7 +105,7 @@ bool y_points_up(const std::string& ending) {
 
 CadParts read_triangles(const std::filesystem::path& file, const CadFormat& format) {
   Assimp::Importer importer;
-  auto* const files = new OwnFolder(file, format.ending);
+  auto* const files = new RestrictedIo(file, format.ending);
   importer.SetIOHandler(files);  // which it deletes
   const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr) {

@@ -13,7 +13,7 @@ namespace diefill::geometry {
 
 namespace {
 
-constexpr std::size_t kMostListed = 20;
+constexpr std::size_t kMaxListed = 20;
 
 using Indices = std::vector<std::size_t>;
 
@@ -78,11 +78,10 @@ class Search {
 
   std::string list(const Indices& indices, bool with_places) const {
     std::string text;
-    for (std::size_t k = 0; k < std::min(indices.size(), kMostListed); ++k)
+    for (std::size_t k = 0; k < std::min(indices.size(), kMaxListed); ++k)
       text += (k == 0 ? "\"" : ", \"") + shown(parts_[indices[k]].name) + "\"" +
               (with_places ? place({indices[k]}) : "");
-    if (indices.size() > kMostListed)
-      text += " and " + std::to_string(indices.size() - kMostListed) + " more";
+    if (indices.size() > kMaxListed) text += " and " + std::to_string(indices.size() - kMaxListed) + " more";
     return text;
   }
 

@@ -17,7 +17,7 @@ struct CavityRegion {
   double volume = 0;                 ///< m^3, exact along z
 };
 
-/// Looks for cavities in `grid`, whose top is the fill plane, and returns them by falling number of voxels,
+/// Finds cavities in `grid`, whose top is the fill plane, and returns them by falling number of voxels,
 /// none below a hundredth of the largest; nothing when every free space has a way out through the grid's
 /// sides or bottom.
 std::vector<CavityRegion> find_cavity_regions(std::span<const Mesh* const> solids, const VoxelGrid& grid);

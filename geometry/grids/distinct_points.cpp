@@ -13,8 +13,8 @@ namespace diefill::geometry {
 namespace {
 
 constexpr std::size_t kSlabs = 256;
-constexpr std::size_t kMostAsHigh = 1000;  // points; more would take too long to compare with each other
-constexpr double kRounding = 1e-12;        // of a height, in parts of the farthest coordinate
+constexpr std::size_t kMaxAsHigh = 1000;  // points; more would take too long to compare with each other
+constexpr double kRounding = 1e-12;       // of a height, in parts of the farthest coordinate
 
 struct Height {
   double height;  ///< m, along the direction of the sweep
@@ -63,7 +63,7 @@ bool surely_distinct(const std::vector<Eigen::Vector3d>& points, double distance
   in_parts_on_all_cores(points.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && apart.load(std::memory_order_relaxed); ++i)
       for (std::size_t j = i + 1; j < sorted.size() && sorted[j].height - sorted[i].height <= as_high; ++j)
-        if (j - i > kMostAsHigh || (points[sorted[i].point] - points[sorted[j].point]).norm() <= distance) {
+        if (j - i > kMaxAsHigh || (points[sorted[i].point] - points[sorted[j].point]).norm() <= distance) {
           apart.store(false, std::memory_order_relaxed);
           break;
         }

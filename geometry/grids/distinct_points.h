@@ -1,4 +1,5 @@
-// Whether all points are distinct: asked of meshes of millions of vertices before they are merged one by one.
+// Whether all points are distinct: checked for meshes of millions of vertices before they are merged one by
+// one.
 #pragma once
 
 #include <Eigen/Core>

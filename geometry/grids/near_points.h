@@ -1,5 +1,5 @@
 // Points near successive places, such as samples of a surface: the points around the last places are cached,
-// so that few questions reach the grid.
+// so that few queries reach the grid.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace diefill::geometry {
 
-/// The questions of a PointGrid, with the same answers, for one thread. The grid must outlive it and may
+/// The queries of a PointGrid, with the same answers, for one thread. The grid must outlive it and may
 /// grow. Lengths in m.
 class NearPoints {
  public:
-  /// Answers are fast up to `radius`; beyond, the grid is asked. Points are cached for places in a cube of
+  /// Answers are fast up to `radius`; beyond, the grid is queried. Points are cached for places in a cube of
   /// `edge`: a large one is filled rarely and holds many.
   NearPoints(const PointGrid& grid, double radius, double edge);
 

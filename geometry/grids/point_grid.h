@@ -1,4 +1,4 @@
-// Points in a hashed grid of cubes, for questions about near points.
+// Points in a hashed grid of cubes, for queries of near points.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@ namespace diefill::geometry {
 /// A growing set of points. Answers do not depend on the hash: ties go to the point inserted first.
 class PointGrid {
  public:
-  /// `cell` is the edge of a cube in m, best about the radius (m) asked with.
+  /// `cell` is the edge of a cube in m, best about the radius (m) of the queries.
   explicit PointGrid(double cell);
 
   /// Reserves room for that many points.

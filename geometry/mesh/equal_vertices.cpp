@@ -52,7 +52,7 @@ void EqualVertices::reserve(std::size_t count) {
   if (2 * count > table_.size()) resize(std::max(kFirstSize, std::bit_ceil(2 * count)));
 }
 
-void EqualVertices::expect(const Eigen::Vector3d& place) const {
+void EqualVertices::prefetch(const Eigen::Vector3d& place) const {
   if (!table_.empty()) __builtin_prefetch(&table_[hash_of(place) & (table_.size() - 1)]);
 }
 

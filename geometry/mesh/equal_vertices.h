@@ -16,7 +16,7 @@ class EqualVertices {
   /// Reserves room for that many.
   void reserve(std::size_t count);
   /// Prefetches the memory that add() of the point will need.
-  void expect(const Eigen::Vector3d& place) const;
+  void prefetch(const Eigen::Vector3d& place) const;
   /// In order of first appearance.
   const std::vector<Eigen::Vector3d>& places() const { return places_; }
   /// The same, moved out.

@@ -9,16 +9,16 @@ namespace diefill::geometry {
 
 namespace {
 
-constexpr std::size_t kMostTriangles = 700000000;  // sides are numbered with 32 bits
+constexpr std::size_t kMaxTriangles = 700000000;  // sides are numbered with 32 bits
 
 }  // namespace
 
 HalfEdges::HalfEdges(const Mesh& mesh, const Topology& topology,
                      const std::function<bool(std::size_t)>& takes_part) {
   const std::size_t triangles = mesh.triangles.size();
-  if (triangles > kMostTriangles)
+  if (triangles > kMaxTriangles)
     throw MeshError("the mesh has " + std::to_string(triangles) + " triangles, allowed: up to " +
-                    std::to_string(kMostTriangles) + ": export it with a coarser tolerance");
+                    std::to_string(kMaxTriangles) + ": export it with a coarser tolerance");
   const auto ends = [&](std::size_t t, int k) {
     const std::int64_t from = topology.corner(mesh, t, k), to = topology.corner(mesh, t, (k + 1) % 3);
     return std::pair(from, to);

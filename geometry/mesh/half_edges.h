@@ -1,4 +1,4 @@
-// The sides of all triangles of a mesh by edge: the basis of every question about neighbours, holes and
+// The sides of all triangles of a mesh by edge: the basis of every query about neighbours, holes and
 // shells. Made for ten million triangles: no global sort, eight bytes per side.
 #pragma once
 
@@ -35,7 +35,7 @@ class HalfEdge {
 /// Half edges by their edge.
 class HalfEdges {
  public:
-  /// Of the triangles for which `takes_part(triangle)` is true; several threads ask it at once. Throws
+  /// Of the triangles for which `takes_part(triangle)` is true; several threads call it at once. Throws
   /// MeshError beyond 700 million triangles.
   HalfEdges(const Mesh& mesh, const Topology& topology, const std::function<bool(std::size_t)>& takes_part);
 

@@ -20,7 +20,7 @@ namespace {
 /// How far, in square roots of a triangle's area, both sides of it are probed for inside and outside.
 constexpr double kProbeDepth = 1e-4;
 constexpr std::size_t kOfAPart = 16384;  // triangles whose solid angles one core sums
-constexpr std::size_t kMostMarks = 100;  // of one kind; more would cover the part on a picture
+constexpr std::size_t kMaxMarks = 100;   // of one kind; more would cover the part on a picture
 
 /// Connected pieces of surface.
 class Pieces {
@@ -51,7 +51,7 @@ class Examination {
  private:
   /// Counts one finding and keeps the places of the first of its kind.
   void count(std::size_t& counter, const Eigen::Vector3d& place) {
-    if (counter++ < kMostMarks) places_[&counter].push_back(place);
+    if (counter++ < kMaxMarks) places_[&counter].push_back(place);
   }
   Eigen::Vector3d middle(std::size_t triangle) const {
     const Corners c = corners_of(mesh_, triangle);

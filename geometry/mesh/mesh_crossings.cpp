@@ -18,7 +18,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using TriangleBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
 
 constexpr double kShrink = 1e-5;
-constexpr std::size_t kMostCrossings = 100000;  // piles of the same sheet have millions
+constexpr std::size_t kMaxCrossings = 100000;  // piles of the same sheet have millions
 constexpr std::size_t kTrianglesOfASlab = 50000, kSampled = 50;
 
 using Crossings = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -64,15 +64,15 @@ class Slabs {
     boxes.reserve(triangles_[slab].size());
     for (const std::uint32_t t : triangles_[slab]) boxes.emplace_back(triangle(t).bbox(), t);
     Crossings crossings;
-    const auto look = [&](const TriangleBox& a, const TriangleBox& b) {
+    const auto check_pair = [&](const TriangleBox& a, const TriangleBox& b) {
       const int axis = static_cast<int>(axis_);
       if (slab_of(std::max(a.min_coord(axis), b.min_coord(axis))) != slab) return;
       const std::size_t low = std::min(a.info(), b.info()), high = std::max(a.info(), b.info());
       if (CGAL::do_intersect(triangle(low), triangle(high))) crossings.emplace_back(low, high);
-      if (crossings.size() == kMostCrossings) throw Enough();
+      if (crossings.size() == kMaxCrossings) throw Enough();
     };
     try {
-      CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), look);
+      CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), check_pair);
     } catch (const Enough&) {
     }
     return crossings;
@@ -105,7 +105,7 @@ std::vector<std::pair<std::size_t, std::size_t>> find_crossings(const Mesh& mesh
   on_all_cores(slabs.size(), [&](std::size_t slab) { found[slab] = slabs.search(slab); });
   Crossings crossings;
   for (const Crossings& some : found) {
-    const std::size_t room = std::min(some.size(), kMostCrossings - crossings.size());
+    const std::size_t room = std::min(some.size(), kMaxCrossings - crossings.size());
     crossings.insert(crossings.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(room));
   }
   std::sort(crossings.begin(), crossings.end());

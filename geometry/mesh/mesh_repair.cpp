@@ -60,14 +60,14 @@ class Repair {
   void unite_shells();
   void drop_slivers();
   void wrap(RepairedMesh& result);
-  void say(const std::string& repair) { said_.push_back(repair); }
+  void record(const std::string& repair) { repairs_.push_back(repair); }
 
   Mesh mesh_;
   const MeshFindings& findings_;
   const RepairOptions& options_;
   double diagonal_ = 0;
   Surface surface_;
-  std::vector<std::string> said_, refused_;
+  std::vector<std::string> repairs_, refused_;
 };
 
 /// Only corners at open edges are loose; others may be close together on purpose.
@@ -76,38 +76,38 @@ void Repair::close_edges() {
   const double tolerance = options_.weld * diagonal_;
   const WeldedCorners welded = weld_loose_corners(mesh_, tolerance);
   if (welded.count > 0)
-    say(counted(welded.count, "corner", "corners") +
-        formatted(" welded to a neighbour at most %.2g mm away", 1e3 * welded.farthest));
+    record(counted(welded.count, "corner", "corners") +
+           formatted(" welded to a neighbour at most %.2g mm away", 1e3 * welded.farthest));
   const std::size_t split = split_edges_at_corners(mesh_, tolerance);
   if (split > 0)
-    say(counted(split, "edge", "edges") + " split where a corner of a neighbour lies on " +
-        (split == 1 ? "it" : "them"));
+    record(counted(split, "edge", "edges") + " split where a corner of a neighbour lies on " +
+           (split == 1 ? "it" : "them"));
 }
 
 /// Solids that share a face have it twice, facing both ways: no boundary of what they are together.
 void Repair::drop_inner_walls() {
   const std::size_t dropped = drop_opposite_pairs(mesh_);
   if (dropped > 0)
-    say(counted(dropped, "pair", "pairs") + " of triangles between solids that share a face removed");
+    record(counted(dropped, "pair", "pairs") + " of triangles between solids that share a face removed");
 }
 
 void Repair::drop_copies(cgal::Soup& soup) {
   processing::repair_polygon_soup(soup.points, soup.triangles);
   if (findings_.duplicate_triangles > 0)
-    say(counted(findings_.duplicate_triangles, "doubled triangle", "doubled triangles") + " removed");
+    record(counted(findings_.duplicate_triangles, "doubled triangle", "doubled triangles") + " removed");
 }
 
 /// The triangles as one surface whose neighbours agree about outside. False where sheets meet so that no
 /// surface can be made of them.
 bool Repair::stitch() {
   const std::size_t slivers = drop_triangles_without_area(mesh_);
-  if (slivers > 0) say(counted(slivers, "triangle", "triangles") + " without area removed");
+  if (slivers > 0) record(counted(slivers, "triangle", "triangles") + " without area removed");
   if (findings_.non_manifold_edges > 0) drop_inner_walls();
   close_edges();
   const bool sheets_meet = check_mesh(mesh_).non_manifold_edges > 0;
   if (sheets_meet && mesh_.volume() < 0) {
     for (auto& triangle : mesh_.triangles) std::swap(triangle[1], triangle[2]);
-    say("surface normals reversed to point outward");
+    record("surface normals reversed to point outward");
   }
   if (sheets_meet && stitch_shells()) return true;
   cgal::Soup soup = cgal::soup_of(mesh_);
@@ -118,7 +118,7 @@ bool Repair::stitch() {
         "edges with more than two triangles: ambiguous which bound the solid, repair it in CAD");
     return false;
   }
-  if (findings_.badly_oriented_edges > 0) say("triangles flipped so that neighbours agree on the outside");
+  if (findings_.badly_oriented_edges > 0) record("triangles flipped so that neighbours agree on the outside");
   if (!processing::is_polygon_soup_a_polygon_mesh(soup.triangles)) return false;
   processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, surface_);
   return true;
@@ -144,7 +144,7 @@ bool Repair::stitch_shells() {
     united = next;
   }
   surface_ = united;
-  say(std::to_string(solids.size()) + " solids that touch united");
+  record(std::to_string(solids.size()) + " solids that touch united");
   return true;
 }
 
@@ -170,7 +170,7 @@ void Repair::fill(Surface::Halfedge_index border) {
   }
   std::vector<Surface::Face_index> faces;
   processing::triangulate_hole(surface_, border, std::back_inserter(faces));
-  say(formatted("a hole of %.3g mm2 filled ", 1e6 * area) + where);
+  record(formatted("a hole of %.3g mm2 filled ", 1e6 * area) + where);
 }
 
 void Repair::fill_holes() {
@@ -187,12 +187,12 @@ void Repair::turn_outward() {
   if (findings.inward_shells == 0 || findings.self_intersections > 0) return;
   if (findings.inward_shells == findings.shells && findings.volume < 0) {
     processing::reverse_face_orientations(surface_);
-    say("surface normals reversed to point outward");
+    record("surface normals reversed to point outward");
     return;
   }
   processing::orient_to_bound_a_volume(surface_);
-  say(counted(findings.inward_shells, "shell", "shells") +
-      " reversed, so that outer shells face outward and inner shells bound cavities");
+  record(counted(findings.inward_shells, "shell", "shells") +
+         " reversed, so that outer shells face outward and inner shells bound cavities");
 }
 
 void Repair::unite_shells() {
@@ -217,14 +217,14 @@ void Repair::unite_shells() {
     united = next;
   }
   surface_ = united;
-  say(std::to_string(shells.size()) + " shells that overlap united");
+  record(std::to_string(shells.size()) + " shells that overlap united");
 }
 
 void Repair::drop_slivers() {
   const std::size_t before = surface_.number_of_faces();
   processing::remove_degenerate_faces(surface_);
   const std::size_t after = surface_.number_of_faces();
-  if (after < before) say(counted(before - after, "sliver", "slivers") + " removed");
+  if (after < before) record(counted(before - after, "sliver", "slivers") + " removed");
 }
 
 void Repair::wrap(RepairedMesh& result) {
@@ -253,7 +253,7 @@ RepairedMesh Repair::run() {
       if (findings_.degenerate_triangles > 0) drop_slivers();  // that uniting made
       Mesh repaired = cgal::mesh_of(surface_);
       const MeshFindings findings = check_mesh(repaired);
-      if (findings.usable()) return {std::move(repaired), findings, said_, refused_, 0};
+      if (findings.usable()) return {std::move(repaired), findings, repairs_, refused_, 0};
     }
     result.refused = refused_;
     if (options_.level == RepairLevel::kWrap) wrap(result);

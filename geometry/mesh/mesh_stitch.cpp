@@ -19,7 +19,7 @@ namespace diefill::geometry {
 
 namespace {
 
-constexpr int kMostPasses = 8;  // each splits one side of a triangle; what is split has fewer sides left
+constexpr int kMaxPasses = 8;  // each splits one side of a triangle; what is split has fewer sides left
 
 using Box3 = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
 
@@ -139,7 +139,7 @@ WeldedCorners weld_loose_corners(Mesh& mesh, double tolerance) {
 std::size_t split_edges_at_corners(Mesh& mesh, double tolerance) {
   std::size_t count = 0;
   const std::size_t most = 4 * mesh.triangles.size() + 1000;
-  for (int pass = 0; pass < kMostPasses && mesh.triangles.size() < most; ++pass) {
+  for (int pass = 0; pass < kMaxPasses && mesh.triangles.size() < most; ++pass) {
     const Topology topology = find_topology(mesh);
     const std::vector<OpenEdge> open = open_edges(mesh, topology);
     const auto on = corners_on(mesh, topology, open, tolerance);

@@ -18,13 +18,13 @@ constexpr double kStandOff = 1.0 / 30;  // of the detail, as CGAL's manual recom
 double largest_one_way(const Mesh& from, const Mesh& to) {
   const TriangleTree tree(to.triangles.size(), [&](std::size_t t) { return corners_of(to, t); });
   double largest = 0;
-  const auto look = [&](const Eigen::Vector3d& point) {
+  const auto include = [&](const Eigen::Vector3d& point) {
     largest = std::max(largest, tree.nearest(point).distance_squared);
   };
   for (std::size_t t = 0; t < from.triangles.size(); ++t) {
     const Corners corners = corners_of(from, t);
-    for (const auto& corner : corners) look(corner);
-    look((corners[0] + corners[1] + corners[2]) / 3);
+    for (const auto& corner : corners) include(corner);
+    include((corners[0] + corners[1] + corners[2]) / 3);
   }
   return std::sqrt(largest);
 }

@@ -15,8 +15,8 @@ namespace diefill::geometry {
 
 namespace {
 
-constexpr double kSamePlane = 1e-5;     // rad, between faces that lie on each other
-constexpr std::size_t kMostSides = 64;  // of one edge
+constexpr double kSamePlane = 1e-5;    // rad, between faces that lie on each other
+constexpr std::size_t kMaxSides = 64;  // of one edge
 
 /// One triangle at an edge: the angle about the edge at which it leaves it, rad.
 struct Leaf {
@@ -92,7 +92,7 @@ std::vector<Mesh> shells_of_solids(const Mesh& mesh) {
   const HalfEdges edges(mesh, topology, [&](std::size_t t) { return !flat[t]; });
   edges.visit_edges([&](std::size_t low, std::span<const HalfEdge> sides) {
     apart =
-        apart && sides.size() <= kMostSides && join_round_edge(leaves_of(mesh, topology, low, sides), groups);
+        apart && sides.size() <= kMaxSides && join_round_edge(leaves_of(mesh, topology, low, sides), groups);
   });
   if (!apart) return {};
   std::map<std::size_t, Mesh> shells;

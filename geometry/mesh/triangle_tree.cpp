@@ -73,7 +73,7 @@ class TriangleTree::Scene {
     alignas(16) RTCPointQuery sphere{place.x(), place.y(), place.z(), 0, question.radius_for(reach)};
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
-    rtcPointQuery(scene_, &sphere, &context, look_at, &question);
+    rtcPointQuery(scene_, &sphere, &context, test_triangle, &question);
     question.hit.alone = question.others > question.hit.distance_squared * kHardlyMore;
     return question.hit;
   }
@@ -104,7 +104,7 @@ class TriangleTree::Scene {
   }
 
   /// Called with each triangle that may be within the radius; says whether that has become smaller.
-  static bool look_at(RTCPointQueryFunctionArguments* proposed) {
+  static bool test_triangle(RTCPointQueryFunctionArguments* proposed) {
     auto& question = *static_cast<Question*>(proposed->userPtr);
     const std::size_t triangle = proposed->primID;
     const TriangleFoot foot = closest_point(question.scene->tree_.triangles_[triangle], question.point);

@@ -13,10 +13,10 @@
 
 namespace diefill::geometry {
 
-/// Nearest-triangle search. Building costs O(n log n), a question about O(log n). Questions are thread-safe.
+/// Nearest-triangle search. Building costs O(n log n), a query about O(log n). Queries are thread-safe.
 class TriangleTree {
  public:
-  /// `corners_of(i)` are the corners (m) of triangle i below `count`; it is asked on all cores. Throws
+  /// `corners_of(i)` are the corners (m) of triangle i below `count`; it is called on all cores. Throws
   /// std::runtime_error where Embree cannot build.
   TriangleTree(std::size_t count, const std::function<Corners(std::size_t)>& corners_of);
   ~TriangleTree();

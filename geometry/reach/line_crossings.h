@@ -16,7 +16,7 @@ struct Crossing {
   int winding;      ///< +1 where the line enters the solid, -1 where it leaves
 };
 
-/// Finds crossings and keeps its arrays: tools on their way ask again in every pose, and allocating the
+/// Finds crossings and keeps its arrays: moving tools are queried in every pose, and allocating the
 /// arrays costs more than filling them.
 class LineCrossings {
  public:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWidestSpacing = 1e-3;  // m, of points on the surface
 constexpr double kPointsAcross = 24;     // the extent of a small tool, at least
-constexpr double kMostPoints = 2e5;      // about so many on a surface
+constexpr double kMaxPoints = 2e5;       // about so many on a surface
 
 double surface_of(const Mesh& mesh) {
   double area = 0;
@@ -27,7 +27,7 @@ double surface_of(const Mesh& mesh) {
 
 double spacing_of(const Mesh& mesh) {
   const double small = mesh.bounding_box().size().maxCoeff() / kPointsAcross;
-  return std::max(std::min(kWidestSpacing, small), std::sqrt(surface_of(mesh) / kMostPoints));
+  return std::max(std::min(kWidestSpacing, small), std::sqrt(surface_of(mesh) / kMaxPoints));
 }
 
 /// Points inside an edge, at most `spacing` apart.
@@ -39,7 +39,7 @@ void sample_edge(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double 
 
 std::vector<Eigen::Vector3d> surface_points(const Mesh& mesh) {
   const double spacing = spacing_of(mesh);
-  const bool thinned = static_cast<double>(mesh.vertices.size()) > kMostPoints;
+  const bool thinned = static_cast<double>(mesh.vertices.size()) > kMaxPoints;
   PointGrid kept(0.5 * spacing);
   std::vector<Eigen::Vector3d> points;
   const auto add = [&](const Eigen::Vector3d& point) {
@@ -115,15 +115,15 @@ MovingPair::Side MovingPair::side(const Mesh& mesh, const SolidQuery& into) {
   return side;
 }
 
-std::optional<MovingPair::Cut> MovingPair::look(const SolidPose& one, const SolidPose& other) {
+std::optional<MovingPair::Cut> MovingPair::find_cut(const SolidPose& one, const SolidPose& other) {
   std::optional<Cut> deepest;
-  look_from(sides_[0], one, other, deepest);
-  look_from(sides_[1], other, one, deepest);
+  find_cut_from(sides_[0], one, other, deepest);
+  find_cut_from(sides_[1], other, one, deepest);
   return deepest;
 }
 
-void MovingPair::look_from(Side& side, const SolidPose& own, const SolidPose& other,
-                           std::optional<Cut>& deepest) const {
+void MovingPair::find_cut_from(Side& side, const SolidPose& own, const SolidPose& other,
+                               std::optional<Cut>& deepest) const {
   const SolidPose seen = seen_from(other, own);
   if (side.last) side.travelled += farthest_move(side.box, *side.last, seen);
   side.last = seen;

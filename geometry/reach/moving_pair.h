@@ -30,7 +30,7 @@ class MovingPair {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< m, laboratory frame
   };
   /// Nothing if they cut no deeper than the tolerance in these poses.
-  std::optional<Cut> look(const SolidPose& one, const SolidPose& other);
+  std::optional<Cut> find_cut(const SolidPose& one, const SolidPose& other);
 
  private:
   struct Side {
@@ -42,7 +42,8 @@ class MovingPair {
     std::optional<SolidPose> last;        ///< in the other's frame
   };
   static Side side(const Mesh& mesh, const SolidQuery& into);
-  void look_from(Side& side, const SolidPose& own, const SolidPose& other, std::optional<Cut>& deepest) const;
+  void find_cut_from(Side& side, const SolidPose& own, const SolidPose& other,
+                     std::optional<Cut>& deepest) const;
 
   double tolerance_;
   std::array<Side, 2> sides_;

@@ -87,7 +87,7 @@ std::vector<SolidRows> PosedSolids::rows_of(std::size_t solid, const SolidPose& 
   return rows;
 }
 
-std::vector<SolidPose> PosedSolids::way_on(std::size_t solid, std::size_t sample) const {
+std::vector<SolidPose> PosedSolids::poses_to_next(std::size_t solid, std::size_t sample) const {
   const SolidPose from = pose(solid, sample), to = pose(solid, sample + 1);
   const double step = largest_step(solids_[solid].mesh->bounding_box(), from, to);
   const int steps = static_cast<int>(std::ceil(step / grid_.edge));

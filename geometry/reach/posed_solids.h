@@ -29,7 +29,7 @@ class PosedSolids {
   SolidPose pose(std::size_t solid, std::size_t sample) const;
   /// Poses between two samples, so close that no point of the solid moves farther than a voxel from one to
   /// the next; the first is that of `sample`, the last that of the next.
-  std::vector<SolidPose> way_on(std::size_t solid, std::size_t sample) const;
+  std::vector<SolidPose> poses_to_next(std::size_t solid, std::size_t sample) const;
   /// One byte a voxel: 1 where solids or gaps between them narrower than a voxel are.
   std::vector<std::uint8_t> blocked(std::size_t sample);
   /// A part of the grid round a single solid, and what the solid blocks there.

@@ -92,7 +92,7 @@ void push(ReachFlood& flood, const PosedSolids::Part& solid, const SolidPose& fr
 void move_on(ReachFlood& flood, PosedSolids& solids, std::size_t solids_count, std::size_t sample) {
   for (std::size_t solid = 0; solid < solids_count; ++solid) {
     if (solids.stands(solid)) continue;
-    const auto way = solids.way_on(solid, sample);
+    const auto way = solids.poses_to_next(solid, sample);
     for (std::size_t i = 1; i < way.size(); ++i)
       push(flood, solids.blocked_by(solid, way[i]), way[i - 1], way[i]);
   }

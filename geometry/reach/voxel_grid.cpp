@@ -5,13 +5,13 @@
 namespace diefill::geometry {
 namespace {
 
-constexpr double kMostVoxels = 2e8;  // a flood of them takes some two gigabytes
+constexpr double kMaxVoxels = 2e8;  // a flood of them takes some two gigabytes
 
 }  // namespace
 
 VoxelGrid VoxelGrid::over(const Box& box, double edge) {
   const Eigen::Vector3d voxels = box.size() / edge;
-  if (!(voxels.cwiseMax(1).prod() <= kMostVoxels)) {
+  if (!(voxels.cwiseMax(1).prod() <= kMaxVoxels)) {
     char text[280];
     std::snprintf(text, sizeof text,
                   "the volume of %.4g x %.4g x %.4g mm occupied by tools and powder is too large to search "

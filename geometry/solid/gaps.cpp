@@ -25,11 +25,11 @@ bool touches(const Box& box, const Corners& corners) {
 
 /// The gap seen from some triangles; `narrowest` is infinite where none was found.
 Gap seen_from(std::span<const Corners> triangles, const TriangleTree& tree, const Box& near, double reach,
-              double spacing, const Elsewhere& elsewhere) {
+              double spacing, const SkipPoint& skip) {
   Gap gap;
   gap.narrowest = std::numeric_limits<double>::infinity();
   Eigen::Vector3d foot = tree.corners(0)[0];  // of the sample before, near that of the next
-  const auto look = [&](const SurfaceSample& sample) {
+  const auto measure = [&](const SurfaceSample& sample) {
     if (!near.contains(sample.point)) return;
     const auto hit = tree.nearest(sample.point, (sample.point - foot).norm());
     foot = hit.foot.point;
@@ -40,7 +40,7 @@ Gap seen_from(std::span<const Corners> triangles, const TriangleTree& tree, cons
     const double height = across.dot(sample.normal);
     if (height > 0 && height < kFacing * across.norm()) return;  // past an edge of the other
     const Eigen::Vector3d place = sample.point + across / 2;
-    if (elsewhere && elsewhere(sample.point, place)) return;
+    if (skip && skip(sample.point, place)) return;
     const double width = std::max(0.0, height);
     gap.narrowest = std::min(gap.narrowest, width);
     if (gap.found && width <= gap.widest) return;
@@ -49,14 +49,14 @@ Gap seen_from(std::span<const Corners> triangles, const TriangleTree& tree, cons
     gap.widest_place = place;
   };
   for (const Corners& corners : triangles)
-    if (touches(near, corners)) sample_triangle(corners, spacing, look);
+    if (touches(near, corners)) sample_triangle(corners, spacing, measure);
   return gap;
 }
 
 }  // namespace
 
 Gap measure_gap(const SolidQuery& one, const SolidQuery& other, double reach, double spacing,
-                const Elsewhere& elsewhere) {
+                const SkipPoint& skip) {
   const TriangleTree& tree = other.tree();
   Box near = tree.box();
   near.lower.array() -= reach;
@@ -66,7 +66,7 @@ Gap measure_gap(const SolidQuery& one, const SolidQuery& other, double reach, do
   std::vector<Gap> parts((triangles.size() + kPart - 1) / kPart);
   on_all_cores(parts.size(), [&](std::size_t part) {
     const auto some = triangles.subspan(part * kPart, std::min(kPart, triangles.size() - part * kPart));
-    parts[part] = seen_from(some, tree, near, reach, spacing, elsewhere);
+    parts[part] = seen_from(some, tree, near, reach, spacing, skip);
   });
   Gap gap;
   for (const Gap& part : parts) {

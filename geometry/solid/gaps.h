@@ -15,15 +15,15 @@ struct Gap {
   Eigen::Vector3d widest_place = Eigen::Vector3d::Zero();  ///< halfway between the surfaces
 };
 
-/// Called for a point (m) on the surface of one solid and the place halfway to the other; from several
-/// threads at once.
-using Elsewhere = std::function<bool(const Eigen::Vector3d& point, const Eigen::Vector3d& halfway)>;
+/// Whether to skip a point (m) on the surface of one solid, given the place halfway to the other; called from
+/// several threads at once.
+using SkipPoint = std::function<bool(const Eigen::Vector3d& point, const Eigen::Vector3d& halfway)>;
 
 /// Samples the surface of `one` on points at most `spacing` (m) apart and measures, along their normals, how
 /// far `other` is where it faces them within 30 degrees and at most `reach` (m) away. Skips points where
-/// `elsewhere` returns true, such as the inside of a cavity; empty: skips none. Solids may overlap; there the
+/// `skip` returns true, such as the inside of a cavity; empty: skips none. Solids may overlap; there the
 /// width counts as 0.
 Gap measure_gap(const SolidQuery& one, const SolidQuery& other, double reach, double spacing,
-                const Elsewhere& elsewhere);
+                const SkipPoint& skip);
 
 }  // namespace diefill::geometry

@@ -180,7 +180,7 @@ SolidQuery::Known SolidQuery::signed_nearest(const Eigen::Vector3d& point, doubl
 SolidQuery::Known SolidQuery::signed_nearest(const Eigen::Vector3d& point, const Known& known) const {
   // No other triangle is nearly as near, so this margin makes none of them the nearest.
   constexpr double kRounding = 1e-11;
-  if (!known.alone || (point - known.asked).norm() > kRounding * known.distance)
+  if (!known.alone || (point - known.query_point).norm() > kRounding * known.distance)
     return signed_nearest(point, (point - known.point).norm());
   TriangleTree::Hit hit;
   hit.triangle = known.tree_triangle;

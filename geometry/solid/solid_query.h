@@ -1,4 +1,4 @@
-// Distance, nearest point and inside/outside questions to a closed mesh, in double precision.
+// Distance, nearest point and inside/outside queries of a closed mesh, in double precision.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace diefill::geometry {
 
 struct Topology;
 
-/// Geometric questions about one closed, outward mesh. Building costs O(n log n), a question O(log n).
+/// Geometric queries of one closed, outward mesh. Building costs O(n log n), a query O(log n).
 /// Thread-safe. Copies share what was built:
 /// 150 bytes per triangle.
 class SolidQuery {
@@ -28,13 +28,13 @@ class SolidQuery {
   };
   Nearest nearest(const Eigen::Vector3d& point) const;
   struct SignedNearest : Nearest {
-    bool inside;  ///< the point asked about is inside the solid
+    bool inside;  ///< the query point is inside the solid
   };
   /// Both answers for the cost of one.
   SignedNearest signed_nearest(const Eigen::Vector3d& point) const;
   /// The answer for a point, kept for near ones.
   struct Known : SignedNearest {
-    Eigen::Vector3d asked;
+    Eigen::Vector3d query_point;
     std::uint32_t tree_triangle;  ///< number in tree()
     bool alone;                   ///< TriangleTree::Hit::alone
   };

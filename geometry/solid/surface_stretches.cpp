@@ -4,14 +4,14 @@ namespace diefill::geometry {
 
 namespace {
 
-constexpr std::size_t kMostTriangles = 4096;
+constexpr std::size_t kMaxTriangles = 4096;
 constexpr std::size_t kStretches = 256;  // at least, of small surfaces: a triangle may be large
 
 /// Triangles of a stretch.
 std::size_t length_for(const Facets& facets) {
   std::size_t all = 0;
   for (const Facet& facet : facets) all += facet.triangles.size();
-  return std::clamp(all / kStretches, std::size_t{1}, kMostTriangles);
+  return std::clamp(all / kStretches, std::size_t{1}, kMaxTriangles);
 }
 
 }  // namespace

@@ -39,14 +39,14 @@ void visit_facets(const Facets& facets, const Stretch& stretch, Visit visit) {
 /// at first, so that later work sees what was taken early.
 template <typename Work, typename Take>
 void work_and_take(const std::vector<Stretch>& stretches, Work work, Take take) {
-  constexpr std::size_t kMostAtATime = 64;
+  constexpr std::size_t kMaxAtATime = 64;
   std::vector<decltype(work(stretches.front()))> results;
   std::size_t count = 1;
   for (std::size_t begin = 0; begin < stretches.size(); begin += results.size()) {
     results.assign(std::min(count, stretches.size() - begin), {});
     on_all_cores(results.size(), [&](std::size_t i) { results[i] = work(stretches[begin + i]); });
     for (const auto& result : results) take(result);
-    count = std::min(2 * count, kMostAtATime);
+    count = std::min(2 * count, kMaxAtATime);
   }
 }
 

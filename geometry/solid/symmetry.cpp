@@ -13,7 +13,7 @@ namespace diefill::geometry {
 
 namespace {
 
-constexpr std::size_t kMostProbes = 2000;
+constexpr std::size_t kMaxProbes = 2000;
 constexpr int kLargestOrder = 60;
 constexpr double kSameDirection = 1e-3;  // rad
 constexpr double kBetterFit = 0.1;       // of a deviation: then another order is meant
@@ -54,7 +54,7 @@ class Images {
  public:
   Images(const TriangleTree& tree, double tolerance)
       : tree_(tree), tolerance_(tolerance), spread_(spread_of(tree.triangles())) {
-    const std::size_t stride = std::max<std::size_t>(1, tree_.triangles().size() / kMostProbes);
+    const std::size_t stride = std::max<std::size_t>(1, tree_.triangles().size() / kMaxProbes);
     for (std::size_t t = 0; t < tree_.triangles().size(); t += stride) {
       // Corners of holes lie in the faces that the holes pierce; only the middles of walls show that a hole
       // is missing.

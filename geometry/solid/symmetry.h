@@ -23,9 +23,9 @@ struct Symmetry {
   std::string description() const;
 };
 
-/// Looks along x, y, z and the principal axes of the surface. A mirror image counts as the same when no point
-/// of the surface is farther than `tolerance` (m) from it; rotations up to 60-fold are told apart. Directions
-/// within a thousandth of a radian count as one. Deterministic.
+/// Searches along x, y, z and the principal axes of the surface. A mirror image counts as the same when no
+/// point of the surface is farther than `tolerance` (m) from it; rotations up to 60-fold are distinguished.
+/// Directions within a thousandth of a radian count as one. Deterministic.
 Symmetry find_symmetry(const SolidQuery& solid, double tolerance);
 
 }  // namespace diefill::geometry

@@ -1,4 +1,4 @@
-// A fixed set of points in the cells of a regular grid, for fast neighbour questions. Visits in a fixed order
+// A fixed set of points in the cells of a regular grid, for fast neighbour queries. Visits in a fixed order
 // that depends on the points alone, so sums over neighbours are the same in every run.
 #pragma once
 
@@ -23,10 +23,10 @@ struct PointImages {
 PointImages with_periodic_images(const std::vector<Eigen::Vector3d>& points,
                                  const std::array<std::optional<double>, 3>& period, double margin);
 
-/// Finds points within a distance of a place. Questions may be asked from several threads at once.
+/// Finds points within a distance of a place. Queries may come from several threads at once.
 class NeighbourGrid {
  public:
-  /// `spacing` (m): edge of a grid cell, best about the distance asked for; made larger where cells would far
+  /// `spacing` (m): edge of a grid cell, best about the query distance; made larger where cells would far
   /// outnumber points.
   NeighbourGrid(const std::vector<Eigen::Vector3d>& points, double spacing);
 

@@ -9,7 +9,7 @@ namespace diefill::geometry {
 
 /// Distance of surface samples over R.
 inline constexpr double kSampleStep = 0.4;
-/// Large triangles are looked at in parts of this length over R when only some of the surface is reachable.
+/// Large triangles are sampled in parts of this length over R when only some of the surface is reachable.
 inline constexpr double kPartLength = 16;
 /// Distance over R of the points that represent the reachable surface when parts are skipped.
 inline constexpr double kThinning = 4;
@@ -42,7 +42,7 @@ void visit_parts_near_powder(NearPoints& powder_parts, const Corners& corners, d
 /// slivers at frayed edges where no sphere was placed.
 class ReachableSamples {
  public:
-  /// For spheres of radius `depth` (m). One thread asks.
+  /// For spheres of radius `depth` (m). For one thread.
   ReachableSamples(const CoverTarget& target, double depth) : target_(target), near_(kSameAnswer * depth) {}
 
   bool operator()(const SurfaceSample& sample) {

@@ -16,12 +16,12 @@ namespace diefill::geometry {
 struct CoverTarget {
   const Mesh& mesh;
   const Facets& facets;
-  /// Empty: everything is reachable. Asked by several threads at once.
+  /// Empty: everything is reachable. Called by several threads at once.
   const std::function<bool(const Eigen::Vector3d&, const Eigen::Vector3d&)>& reachable;
   std::vector<Stretch> stretches;  ///< of the facets
-  PointGrid near_powder;           ///< reachable_points(): what is reachable is asked once
+  PointGrid near_powder;           ///< reachable_points(): reachability is computed once
   PointGrid powder_parts;          ///< a few of them, to pass over large surfaces far from powder quickly
-  const std::function<void(double)>& tell;  ///< hears the share that is done; may be empty
+  const std::function<void(double)>& on_progress;  ///< receives the finished share; may be empty
 };
 
 /// Reports progress while stretches are processed: of a part of all work that takes the share from `from` to
@@ -32,9 +32,9 @@ class StretchProgress {
       : target_(target), from_(from), to_(to) {}
   void next() {
     ++done_;
-    if (target_.tell)
-      target_.tell(from_ + (to_ - from_) * static_cast<double>(done_) /
-                               static_cast<double>(target_.stretches.size()));
+    if (target_.on_progress)
+      target_.on_progress(from_ + (to_ - from_) * static_cast<double>(done_) /
+                                      static_cast<double>(target_.stretches.size()));
   }
 
  private:
@@ -44,7 +44,7 @@ class StretchProgress {
 };
 
 /// Shares of the time that a surface of ten million triangles takes, as sampled, when they begin.
-inline constexpr double kHolesBegin = 0.24, kLaterLooksBegin = 0.71, kMeasuringBegins = 0.76;
+inline constexpr double kHolesBegin = 0.24, kRepeatPassesBegin = 0.71, kMeasuringBegins = 0.76;
 
 /// Points of the reachable surface about `step` (m) apart. Reachable patches narrower than that may be
 /// missed.

@@ -18,7 +18,7 @@ namespace {
 
 /// On a square grid the third of the nearest centres is nowhere farther than this, over the spacing.
 constexpr double kThirdNearest = 1.12;
-/// Guesses that differ by less, over the spacing, go the same way.
+/// Guesses that differ by less, over the spacing, take the same path.
 constexpr double kSameGuess = 1e-9;
 
 [[noreturn]] void throw_too_thin(const Eigen::Vector3d& place, double thickness, double radius) {
@@ -54,7 +54,7 @@ bool HoleFinder::covered(const SurfaceSample& sample, double least) {
 }
 
 double HoleFinder::distance_to_nearest(const Eigen::Vector3d& place, double limit) {
-  // Few have to look farther than a spacing.
+  // Few have to be searched beyond a spacing.
   std::size_t nearest = near_.nearest_within(place, std::min(layout_.spacing(), limit));
   if (nearest == PointGrid::kNone) nearest = near_.nearest_within(place, limit);
   return nearest == PointGrid::kNone ? limit : (layout_.centres().points()[nearest] - place).norm();
@@ -68,7 +68,7 @@ Hole HoleFinder::find(const SurfaceSample& sample, const Eigen::Vector3d& place,
   return between->distance > hole.distance ? *between : hole;
 }
 
-// Where the solid is thinner than R, as at the tip of a wedge, the way starts from the middle of the solid.
+// Where the solid is thinner than R, as at the tip of a wedge, the path starts from the middle of the solid.
 Eigen::Vector3d HoleFinder::below(const SurfaceSample& sample) {
   const OffsetSurface& offset = layout_.offset();
   const Eigen::Vector3d guess = sample.at_depth(offset.depth());
@@ -107,12 +107,12 @@ Eigen::Vector3d HoleFinder::between_nearest(const Eigen::Vector3d& place) {
 /// The circle's centre lies off the surface at depth R where that is bent, so it is brought back there.
 std::optional<Hole> HoleFinder::hole_at(const Eigen::Vector3d& guess, const Eigen::Vector3d& surface_point) {
   const Eigen::Vector3i cube = cube_of(guess / layout_.spacing());
-  Way& way = ways_.at(cube);
-  if ((way.guess - guess).norm() > kSameGuess * layout_.spacing()) {
-    way.guess = guess;
-    way.trail.clear();
+  SettlePath& path = paths_.at(cube);
+  if ((path.guess - guess).norm() > kSameGuess * layout_.spacing()) {
+    path.guess = guess;
+    path.trail.clear();
   }
-  const auto place = layout_.offset().settle(guess, surface_point, way.trail);
+  const auto place = layout_.offset().settle(guess, surface_point, path.trail);
   if (!place) return std::nullopt;
   return Hole{place->centre, distance_to_nearest(place->centre, limit())};
 }

@@ -20,7 +20,7 @@ struct Hole {
 /// samples follow each other over the surface: the answer for one mostly holds for the next.
 class HoleFinder {
  public:
-  /// `step` is the spacing of the surface samples in m: holes are looked for that far around each.
+  /// `step` is the spacing of the surface samples in m: holes are searched for that far around each.
   HoleFinder(const WallLayout& layout, double step);
 
   /// Whether the nearest centre is so near the sample that no hole there can be wider than `least` (m, as
@@ -36,14 +36,14 @@ class HoleFinder {
   /// Distance (m) from `place` to the nearest centre, or `limit` when none is nearer than that.
   double distance_to_nearest(const Eigen::Vector3d& place, double limit);
   /// Centres farther from a place than this (m) change nothing about the hole found there.
-  double sight() const { return limit() + step_; }
-  /// Farthest that below() may be from straight below, over R: see OffsetSurface::settle.
-  static constexpr double kFarthestAside = 1 + OffsetSurface::kFarthestMove;
+  double influence_radius() const { return limit() + step_; }
+  /// Largest distance of below() from straight below, over R: see OffsetSurface::settle.
+  static constexpr double kFarthestOffset = 1 + OffsetSurface::kFarthestMove;
 
  private:
   using Three = std::array<std::size_t, 3>;
-  /// The way from a guess to depth R.
-  struct Way {
+  /// The path from a guess to depth R.
+  struct SettlePath {
     Eigen::Vector3d guess = Eigen::Vector3d::Zero();
     OffsetSurface::Trail trail;
   };
@@ -57,8 +57,8 @@ class HoleFinder {
   const WallLayout& layout_;
   double step_;
   NearPoints near_;
-  /// Many samples see the same centres, between which the way is the same but for rounding.
-  SpatialCache<Way, 256> ways_;
+  /// Many samples see the same centres, between which the path is the same but for rounding.
+  SpatialCache<SettlePath, 256> paths_;
 };
 
 }  // namespace diefill::geometry

@@ -57,7 +57,7 @@ void WallLayout::add_grid(const Strip& strip) {
   double smallest_step = spacing_;
   if (u.length > 0) smallest_step = std::min(smallest_step, u.length);
   if (v.length > 0) smallest_step = std::min(smallest_step, v.length);
-  const double least_distance = std::min(kLeastDistance * spacing_, 0.9 * smallest_step);
+  const double least_distance = std::min(kMinDistance * spacing_, 0.9 * smallest_step);
   const std::size_t across = static_cast<std::size_t>(v.count);
   const std::size_t all = static_cast<std::size_t>(u.count) * across;
   std::vector<std::optional<OffsetSurface::Place>> places;

@@ -24,7 +24,7 @@ class WallLayout {
                                           double least_distance);
 
   /// A square grid fitted to the strip: its outermost rows lie on the strip's ends, spacings are at most the
-  /// spacing asked for. Its points keep their distance from what is there already.
+  /// wanted one. Its points keep their distance from what is there already.
   void add_grid(const Strip& strip);
 
   const PointGrid& centres() const { return centres_; }
@@ -33,7 +33,7 @@ class WallLayout {
   bool wanted(const Eigen::Vector3d& foot) const { return wanted_(foot); }
 
   /// Guesses nearer to a centre than this part of the spacing do not become centres.
-  static constexpr double kLeastDistance = 0.7;
+  static constexpr double kMinDistance = 0.7;
 
  private:
   /// Where the guess settles; none where no sphere is of use. Several threads may ask at once.

@@ -176,8 +176,8 @@ void add_row(const CentreLine& line, bool closed, WallLayout& layout) {
   const int intervals = static_cast<int>(std::ceil((end - begin) / layout.spacing() - 1e-9));
   const double step = intervals > 0 ? (end - begin) / intervals : 0;
   const double least_distance = intervals > 0
-                                    ? std::min(WallLayout::kLeastDistance * layout.spacing(), 0.9 * step)
-                                    : WallLayout::kLeastDistance * layout.spacing();
+                                    ? std::min(WallLayout::kMinDistance * layout.spacing(), 0.9 * step)
+                                    : WallLayout::kMinDistance * layout.spacing();
   for (int i = 0; i < intervals + (closed ? 0 : 1); ++i) {
     const auto [centre, foot] = line.at(begin + i * step);
     layout.add(centre, foot, least_distance);

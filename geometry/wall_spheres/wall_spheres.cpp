@@ -32,9 +32,13 @@ WallSpheres make_wall_spheres(const Mesh& mesh, const SolidQuery& solid, const W
   check(options);
   const double spacing = options.spacing * options.radius;
   const Facets facets = find_facets(mesh, solid.topology());
-  CoverTarget target{
-      mesh,        facets, options.reachable, stretches_of(facets), PointGrid(spacing), PointGrid(spacing),
-      options.tell};
+  CoverTarget target{mesh,
+                     facets,
+                     options.reachable,
+                     stretches_of(facets),
+                     PointGrid(spacing),
+                     PointGrid(spacing),
+                     options.on_progress};
   const OffsetSurface offset(solid, options.radius);
 
   std::function<bool(const Eigen::Vector3d&)> wanted = [](const Eigen::Vector3d&) { return true; };

@@ -18,7 +18,7 @@ struct WallSphereOptions {
   /// for about one spacing beyond the edge of the reachable surface. Empty: all of the surface.
   std::function<bool(const Eigen::Vector3d& surface_point, const Eigen::Vector3d& outward_normal)> reachable;
   /// Called with the finished share, 0 to 1, by one thread at a time. Empty: not reported.
-  std::function<void(double share)> tell;
+  std::function<void(double share)> on_progress;
 };
 
 /// The spheres of one tool and how well their envelope follows the CAD surface, measured on points of the
@@ -47,7 +47,7 @@ struct WallSpheres {
 /// Covers the reachable surface of `mesh` (closed, outward). Deterministic.
 /// No centre is closer than R_w (1 - 1e-9) to the surface. Planes carry square grids aligned with their
 /// longest edge and cylinders and other bent strips grids of rings, stretched so that the outermost rows lie
-/// at the edges with no spacing above the one asked for; edges carry rows, inner edges all round them; what
+/// at the edges with no spacing above the wanted one; edges carry rows, inner edges all round them; what
 /// is left open, and doubly curved surfaces, are covered by lattices that grow over them. Reachable patches
 /// narrower than R_w may be missed. Throws MeshError when the solid is thinner than 2 R_w where it is
 /// reachable, or for options out of range.

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "process/calibration/account.h"
+#include "process/calibration/calibration_results.h"
 #include "process/calibration/methods/next_points.h"
 #include "process/calibration/methods/space_filling.h"
 #include "process/calibration/starting_powder.h"
-#include "process/compare/kept_aside.h"
+#include "process/compare/backups.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/file_contents.h"
 #include "process/run/assemble.h"
@@ -48,7 +48,7 @@ class Search {
       const NextPoints next =
           next_points(*fit_->likelihood, fit_->region, taken(),
                       static_cast<std::size_t>(plan_.points_at_once), plan_.seed + simulated_.points.size());
-      tell(next);
+      report(next);
       if (!next.worthwhile()) return reason(next);
       if (simulated_.points.size() + next.places.size() > static_cast<std::size_t>(plan_.most_points))
         return "the search reached its most points (" + std::to_string(plan_.most_points) + ")";
@@ -73,7 +73,7 @@ class Search {
   }
 
   results::Calibration account(const std::string& stopped) const {
-    results::Calibration account = account_of(plan_, simulated_, fit_);
+    results::Calibration account = calibration_results(plan_, simulated_, fit_);
     account.command = options_.command;
     account.program_version = program_version();
     account.stopped = stopped;
@@ -116,8 +116,8 @@ class Search {
     return places;
   }
 
-  void tell(const NextPoints& next) const {
-    if (!options_.tell) return;
+  void report(const NextPoints& next) const {
+    if (!options_.on_note) return;
     std::string line = std::to_string(simulated_.points.size()) + " points:";
     for (std::size_t k = 0; k < plan_.parameters.size(); ++k) {
       const ParameterRange& range = plan_.parameters[k];
@@ -131,7 +131,7 @@ class Search {
     char text[160];
     std::snprintf(text, sizeof text, "; expected gain %.2g, scatter %.2g, emulator's share %.2g",
                   next.expected_gain, next.scatter, next.emulator_share);
-    options_.tell(line + text);
+    options_.on_note(line + text);
   }
 
   static std::string reason(const NextPoints& next) {
@@ -157,12 +157,13 @@ void write_powder(const CalibrationPlan& plan, const Fit& fit, const results::Ca
   const Measurement& first = plan.measurements[fit.measurement.front()];
   const Scene scene = scene_at(plan, first.runs.front(), plain(fit.region.best));
   const std::string text =
-      powder_file_text(scene, powder_comment(account), powder_account(account), program_version());
+      powder_file_text(scene, powder_comment(account), powder_calibration_table(account), program_version());
   const std::filesystem::path file = options.directory / "powder.toml";
   if (std::filesystem::exists(file)) {
     if (results::contents_or_nothing(file) == text) return;
-    const auto aside = set_one_aside(file);
-    if (options.say) options.say("note: the earlier powder.toml was renamed to " + aside.filename().string());
+    const auto renamed = back_up(file);
+    if (options.on_note)
+      options.on_note("note: the earlier powder.toml was renamed to " + renamed.filename().string());
   }
   results::write_text_atomically(file, text);
 }
@@ -178,7 +179,7 @@ results::Calibration calibrate(const CalibrationPlan& plan, const CalibrateOptio
   results::Calibration account = search.account(stopped);
   account.open_runs = search.open_jobs().jobs.size();
   if (options.open_runs == OpenRuns::write) {
-    write_job_scripts(options.points.directory, search.open_jobs(), options.points.say);
+    write_job_scripts(options.points.directory, search.open_jobs(), options.points.on_note);
     return account;
   }
   if (search.fit()) write_powder(plan, *search.fit(), account, options.points);

@@ -22,11 +22,11 @@ struct CalibrateOptions {
   PointOptions points;  ///< directory, jobs and budget (jobs.cpu_seconds)
   OpenRuns open_runs = OpenRuns::run;
   std::string command;  ///< for the account
-  /// Told what has been found so far, a line at a time.
-  std::function<void(const std::string&)> tell;
+  /// Receives intermediate results, one line at a time.
+  std::function<void(const std::string&)> on_note;
 };
 
-/// Runs the calibration, or goes on with it where runs are there, and gives the account of it. Writes
+/// Runs the calibration, or resumes it where runs are there, and returns its results. Writes
 /// `directory`/powder.toml where a powder was found. Throws Interrupted, SceneError, std::runtime_error.
 results::Calibration calibrate(const CalibrationPlan& plan, const CalibrateOptions& options);
 

@@ -9,7 +9,7 @@
 namespace diefill::process::calibration {
 namespace {
 
-constexpr int kMostSeeds = 100, kMostPoints = 10000;
+constexpr int kMaxSeeds = 100, kMaxPoints = 10000;
 
 /// Every run's scene with the powder to start from: what is wrong there is not the ranges' fault.
 void check_runs(const CalibrationPlan& plan, const Measurement& measurement) {
@@ -20,6 +20,20 @@ void check_runs(const CalibrationPlan& plan, const Measurement& measurement) {
   } catch (const SceneError& error) {
     throw SceneError(plan.file.string() + ": measurement \"" + measurement.name + "\": " + error.what());
   }
+}
+
+/// The last check is to show what finer grains than those of the runs change.
+void check_finer_grains(const CalibrationPlan& plan, const Measurement& measurement) {
+  const MeasurementRun& run = measurement.runs.front();
+  const std::vector<double> middle(plan.parameters.size(), 0.5);
+  const double fitted = scene_at(plan, run, middle).powder.grain_diameter;
+  if (scene_at(plan, run, middle, finer_grains_of(plan)).powder.grain_diameter < fitted) return;
+  const toml::table parsed = parse_scene_text(plan.text, plan.file);
+  TableReader(parsed, plan.file, "")
+      .required_table("check")
+      .reject("grain_diameter", "allowed: less than the " + number_text(1e3 * fitted) +
+                                    " mm of measurement \"" + measurement.name +
+                                    "\", since this check is with finer grains");
 }
 
 /// Scenes that a run cannot have are found before hours are spent.
@@ -42,10 +56,8 @@ void check_ends(const CalibrationPlan& plan) {
         }
       }
   }
-  const std::vector<double> middle(count, 0.5);
   if (!plan.finer_grains.empty())
-    for (const Measurement& measurement : plan.measurements)
-      scene_at(plan, measurement.runs.front(), middle, finer_grains_of(plan));
+    for (const Measurement& measurement : plan.measurements) check_finer_grains(plan, measurement);
 }
 
 void read_search(TableReader& document, CalibrationPlan& plan) {
@@ -53,13 +65,13 @@ void read_search(TableReader& document, CalibrationPlan& plan) {
   plan.start_points = 4 + 4 * count;
   plan.most_points = 10 + 15 * count;
   if (auto search = document.table("search")) {
-    plan.seeds = static_cast<int>(search->integer("seeds", 1, kMostSeeds).value_or(plan.seeds));
+    plan.seeds = static_cast<int>(search->integer("seeds", 1, kMaxSeeds).value_or(plan.seeds));
     plan.start_points =
-        static_cast<int>(search->integer("start_points", count + 2, kMostPoints).value_or(plan.start_points));
-    plan.most_points = static_cast<int>(search->integer("most_points", plan.start_points, kMostPoints)
+        static_cast<int>(search->integer("start_points", count + 2, kMaxPoints).value_or(plan.start_points));
+    plan.most_points = static_cast<int>(search->integer("most_points", plan.start_points, kMaxPoints)
                                             .value_or(std::max(plan.most_points, plan.start_points)));
     plan.points_at_once =
-        static_cast<int>(search->integer("points_at_once", 1, kMostPoints).value_or(plan.points_at_once));
+        static_cast<int>(search->integer("points_at_once", 1, kMaxPoints).value_or(plan.points_at_once));
     search->finish();
   }
   if (auto check = document.table("check")) {

@@ -23,8 +23,8 @@ struct KnownField {
 /// A column of the file that is called like another quantity holds something else.
 void refuse_other_values(const MeasuredTable& data, const std::string& quantity) {
   if (data.lines.empty() || !possible_values(data.value.name)) return;
-  const auto told = [](const std::string& name) { return name.substr(0, name.find(" over ")); };
-  if (same_name(told(data.value.name), told(results::quantity_and_cavity(quantity).first))) return;
+  const auto base_name = [](const std::string& name) { return name.substr(0, name.find(" over ")); };
+  if (same_name(base_name(data.value.name), base_name(results::quantity_and_cavity(quantity).first))) return;
   throw SceneError(data.value.where + ": column of values: " + not_among(data.value.name, {quantity}));
 }
 

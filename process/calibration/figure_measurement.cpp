@@ -12,6 +12,7 @@
 #include "process/input/unit_conversion.h"
 #include "process/results/figure_item.h"
 #include "process/results/figure_table.h"
+#include "process/scene/key_path.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/variants.h"
 #include "process/tradeoff/quantities.h"
@@ -97,6 +98,10 @@ std::vector<MeasurementRun> runs_over(const MeasurementRun& run, const std::stri
 Measurement read_figure_measurement(TableReader& table, const MeasurementContext& context) {
   const std::string word = table.required_text("figure", "expected_mass_kg");
   const auto over = table.text("over");
+  if (over && !is_key_path(*over))
+    table.reject("over",
+                 "expected the path of a key alone, without \"=\", value or comment, such as "
+                 "\"step.1.velocity\"");
   Measurement measurement;
   const MeasurementRun run = run_of_scene(table, context);
   measurement.data = read_measured(table, over ? 1 : 0);
@@ -106,6 +111,8 @@ Measurement read_figure_measurement(TableReader& table, const MeasurementContext
   const double factor = factor_into(table, measurement.data.value, figure);
   refuse_impossible(measurement.data, possible_values_of_figure(word, figure.unit));
   measurement.quantity = figure.name;
+  measurement.figure = word;
+  measurement.figure_place = table.where("figure");
   measurement.runs = over ? runs_over(run, *over, measurement.data.places[0]) : std::vector{run};
   if (over) measurement.data.places[0].name = *over;
   measurement.simulated = [factor, value = figure.value](const std::vector<FinishedRun>& runs) {

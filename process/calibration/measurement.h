@@ -28,9 +28,10 @@ struct FinishedRun {
 
 struct Measurement {
   std::string name;
-  std::string kind;      ///< such as "figure"
-  bool fitted = true;    ///< false: kept for checking
-  std::string quantity;  ///< what is measured, for people
+  std::string kind;                  ///< such as "figure"
+  bool fitted = true;                ///< false: kept for checking
+  std::string quantity;              ///< what is measured, for people
+  std::string figure, figure_place;  ///< its name and where the file has it; empty: no figure of a scene
   MeasuredTable data;
   std::vector<MeasurementRun> runs;
   /// The measured values as the results of `runs` have them, in the data's unit, NaN where one has none.

@@ -6,6 +6,7 @@
 
 #include "process/input/scene_error.h"
 #include "process/input/unit_conversion.h"
+#include "process/scene/key_path.h"
 #include "process/scene/scene_text.h"
 
 namespace diefill::process::calibration {
@@ -40,6 +41,10 @@ void check_key(const TableReader& table, const ParameterRange& range,
   const auto begins = [&](const char* start) { return range.key.starts_with(start); };
   if (!begins("powder.") && !begins("contact.") && !begins("walls."))
     table.reject("key", "allowed: a key of [powder], [contact] or [walls], such as \"powder.friction\"");
+  if (!is_key_path(range.key))
+    table.reject("key",
+                 "expected the path of a key alone, without \"=\", value or comment, such as "
+                 "\"powder.friction\"");
   const auto same = [&](const ParameterRange& other) { return other.key == range.key; };
   if (std::any_of(earlier.begin(), earlier.end(), same))
     table.reject("key", "an earlier [[parameter]] has this key; give each key once");

@@ -93,7 +93,7 @@ void PointRuns::run(const std::vector<Point>& points) {
     wanted.later = results::read_job_list(options_.directory).variants;
   for (std::size_t k = 0; k < points.size(); ++k)
     for (Variant& variant : variants_of(points[k], k)) wanted.variants.push_back(std::move(variant));
-  const results::JobList all = write_jobs(options_.directory, wanted, options_.say);
+  const results::JobList all = write_jobs(options_.directory, wanted, options_.on_note);
   results::JobList open = all;
   open.jobs.clear();
   double of_others = 0;

@@ -34,7 +34,7 @@ struct PointOutcome {
 struct PointOptions {
   std::filesystem::path directory;
   JobOptions jobs;
-  Say say;
+  NoteCallback on_note;
   bool run = true;  ///< false: only the scenes are written
 };
 
@@ -42,7 +42,7 @@ class PointRuns {
  public:
   PointRuns(const CalibrationPlan& plan, PointOptions options);
 
-  /// Runs what is not finished of these points, failed ones once. Points are told apart by their place in the
+  /// Runs what is not finished of these points, failed ones once. Points are identified by their place in the
   /// list, which only grows. Throws Interrupted, and std::runtime_error as run_jobs does.
   void run(const std::vector<Point>& points);
   /// Throws SceneError where a result cannot have what is measured.

@@ -8,24 +8,50 @@
 #include <limits>
 
 #include "process/compare/statistics.h"
+#include "process/input/shown_value.h"
+#include "process/input/table_reader.h"
+#include "process/scene/key_path.h"
 #include "process/scene/scene_text.h"
 
 namespace diefill::process::calibration {
 namespace {
 
-std::vector<std::vector<double>> samples_in(const toml::table& calibration, std::size_t parameters) {
+constexpr NumberRule kFitted = {-1e12, 1e12, false, "0.25"};
+
+/// The parameters that were fitted, into keys, units and best values of the region.
+void read_fitted(TableReader& account, PowderRegion& region) {
+  for (TableReader& parameter : account.tables("parameter")) {
+    const std::string key = parameter.required_text("key", "powder.friction");
+    if (!is_key_path(key))
+      parameter.reject("key", "expected the path of a key alone, such as \"powder.friction\"");
+    region.keys.push_back(key);
+    region.units.push_back(parameter.text("unit").value_or("1"));
+    parameter.require("best", "0.25");
+    region.best.push_back(*parameter.number("best", kFitted));
+  }
+}
+
+[[noreturn]] void refuse_sample(const toml::node& sample, const PowderRegion& region) {
+  throw SceneError(region.file.string() + ':' + std::to_string(sample.source().begin.line) +
+                   ": calibration.samples: found " + shown_value(sample) +
+                   ", expected a list of one number for each [[calibration.parameter]], " +
+                   std::to_string(region.keys.size()) + " in all, as diefill calibrate writes them");
+}
+
+/// A row for each powder, as the file has them.
+std::vector<std::vector<double>> samples_in(const toml::table& account, const PowderRegion& region) {
   std::vector<std::vector<double>> samples;
-  const toml::array* rows = calibration["samples"].as_array();
+  const toml::array* rows = account["samples"].as_array();
   if (rows == nullptr) return samples;
   for (const toml::node& node : *rows) {
     const toml::array* row = node.as_array();
-    if (row == nullptr || row->size() != parameters) return {};
+    if (row == nullptr || row->size() != region.keys.size()) refuse_sample(node, region);
     samples.emplace_back();
-    for (const toml::node& value : *row)
-      samples.back().push_back(value.value<double>().value_or(std::numeric_limits<double>::quiet_NaN()));
-    if (std::any_of(samples.back().begin(), samples.back().end(),
-                    [](double value) { return !std::isfinite(value); }))
-      return {};
+    for (const toml::node& value : *row) {
+      const auto number = value.is_number() ? value.value<double>() : std::nullopt;
+      if (!number || !std::isfinite(*number)) refuse_sample(node, region);
+      samples.back().push_back(*number);
+    }
   }
   return samples;
 }
@@ -82,16 +108,10 @@ PowderRegion powder_region_of(const std::filesystem::path& scene_file) {
   PowderRegion region;
   region.file = scene_file.parent_path() / *name;
   const toml::table powder = parse_scene_text(load_scene_text(region.file), region.file);
-  const toml::table* account = powder["calibration"].as_table();
-  if (account != nullptr)
-    if (const toml::array* parameters = (*account)["parameter"].as_array())
-      for (const toml::node& node : *parameters) {
-        const auto& parameter = *node.as_table();
-        region.keys.push_back(parameter["key"].value_or(std::string()));
-        region.units.push_back(parameter["unit"].value_or(std::string("1")));
-        region.best.push_back(parameter["best"].value_or(0.0));
-      }
-  if (account != nullptr && !region.keys.empty()) region.samples = samples_in(*account, region.keys.size());
+  if (auto account = TableReader(powder, region.file, "").table("calibration")) {
+    read_fitted(*account, region);
+    if (!region.keys.empty()) region.samples = samples_in(*powder["calibration"].as_table(), region);
+  }
   if (region.samples.empty())
     throw SceneError(region.file.string() +
                      ": --powder-samples: found no [calibration] with samples of the powder; expected a file "

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "process/calibration/account.h"
+#include "process/calibration/calibration_results.h"
 #include "process/calibration/methods/effect_regression.h"
 #include "process/calibration/methods/screening_effects.h"
 #include "process/input/units.h"
@@ -98,14 +98,14 @@ void add_quantity(results::Screening& screening, const FractionalDesign& design,
 
 results::Screening screening_of(const CalibrationPlan& plan, const FractionalDesign& design,
                                 const SimulatedPoints& simulated) {
-  constexpr std::size_t kMostGenerators = 12;  // whose words are few enough to read
+  constexpr std::size_t kMaxGenerators = 12;  // whose words are few enough to read
   results::Screening screening;
   screening.runs = design.runs();
   screening.resolution = resolution_of(design);
   for (std::size_t k = 0; k < design.factors(); ++k)
     screening.letters.push_back(factor_letter(k) + " = " + plan.parameters[k].key);
   screening.generators = generators_of(design);
-  if (screening.generators.size() <= kMostGenerators) screening.words = defining_words(design);
+  if (screening.generators.size() <= kMaxGenerators) screening.words = defining_words(design);
   for (const AliasString& string : alias_strings(design))
     screening.effects.push_back({text_of(string), words_of(string, plan), !string.factors.empty(), {}});
   for (std::size_t m = 0; m < plan.measurements.size(); ++m) {
@@ -127,7 +127,7 @@ results::Calibration screen(const CalibrationPlan& plan, const CalibrateOptions&
   runs.run(simulated.points);
   for (std::size_t k = 0; k < simulated.points.size(); ++k)
     simulated.outcomes.push_back(runs.outcome(simulated.points[k], k));
-  results::Calibration account = account_of(plan, simulated, std::nullopt);
+  results::Calibration account = calibration_results(plan, simulated, std::nullopt);
   account.command = options.command;
   account.program_version = program_version();
   account.screening = screening_of(plan, design, simulated);

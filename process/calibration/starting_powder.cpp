@@ -15,7 +15,7 @@ constexpr std::array<const char*, 3> kTables = {"powder", "contact", "walls"};
 /// A document with its powder file, if it names one, laid under it.
 toml::table document_of(const std::string& text, const std::filesystem::path& file) {
   toml::table document = parse_scene_text(text, file);
-  take_powder_file(document, file);
+  merge_powder_file(document, file);
   return document;
 }
 
@@ -31,7 +31,7 @@ std::string with_starting_powder(const std::string& text, const std::filesystem:
   std::error_code missing;
   if (powder.empty() || std::filesystem::equivalent(powder, file, missing)) return scene_text_of(document);
   toml::table start = document_of(load_scene_text(powder), powder);
-  if (!start.contains("powder"))
+  if (!start.contains("powder"))  // a table, or document_of() would have refused it
     throw SceneError(powder.string() + ": found no [powder], expected a scene or a powder file");
   toml::table own = document["powder"].is_table() ? *document["powder"].as_table() : toml::table{};
   for (const char* key : kTables) {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "process/cluster/mpirun_talk.h"
+#include "process/cluster/mpirun_output.h"
 #include "process/input/shell_word.h"
 
 namespace diefill::process::cluster {
@@ -36,7 +36,7 @@ std::optional<int> slots_of(std::istringstream& words) {
 
 std::vector<std::string> mpirun_words(const RankCommand& command) {
   std::vector<std::string> words = {"mpirun", "-np", std::to_string(command.ranks), "-x",
-                                    std::string(kSayBegin) + "=1"};
+                                    std::string(kAnnounceRanks) + "=1"};
   if (command.as_root) words.emplace_back("--allow-run-as-root");
   if (!command.hostfile.empty()) {
     words.insert(words.end(), {"--hostfile", command.hostfile.string()});

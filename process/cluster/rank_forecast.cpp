@@ -15,7 +15,7 @@ constexpr double kLayer = 1.2;
 constexpr double kNeighbours = 26;
 /// Bytes a grain to rank 0 and its part in the step, where grains are shown every 20 steps.
 constexpr double kShown = 20 * 8, kShownEvery = 20;
-constexpr double kMostGrains = 1e9;
+constexpr double kMaxGrains = 1e9;
 
 }  // namespace
 
@@ -37,12 +37,12 @@ RankStep rank_step(double grains, std::size_t spheres, int ranks, const RankCost
   return step;
 }
 
-double grains_that_pay(std::size_t spheres, int ranks, int threads, const RankCosts& costs) {
+double break_even_grains(std::size_t spheres, int ranks, int threads, const RankCosts& costs) {
   const auto pays = [&](double grains) {
     const double built_in = grains * static_cast<double>(spheres) * costs.built_in_step / threads;
     return rank_step(grains, spheres, ranks, costs).seconds < built_in;
   };
-  for (double grains = ranks; grains < kMostGrains; grains *= 1.1)
+  for (double grains = ranks; grains < kMaxGrains; grains *= 1.1)
     if (pays(grains)) return grains;
   return 0;
 }

@@ -28,6 +28,6 @@ RankStep rank_step(double grains, std::size_t spheres, int ranks, const RankCost
 
 /// The fewest grains for which `ranks` ranks are quicker than `threads` threads of the built-in engine; 0
 /// where they never are.
-double grains_that_pay(std::size_t spheres, int ranks, int threads, const RankCosts& costs);
+double break_even_grains(std::size_t spheres, int ranks, int threads, const RankCosts& costs);
 
 }  // namespace diefill::process::cluster

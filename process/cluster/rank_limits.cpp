@@ -22,7 +22,7 @@ bool falls_round(const Scene& scene, const Eigen::Vector3d& gravity) {
 
 }  // namespace
 
-void refuse_what_ranks_cannot(const Scene& scene) {
+void refuse_unsupported_on_ranks(const Scene& scene) {
   if (scene.economy.sleep) refuse(scene, "economy.sleep", "remove the key");
   if (scene.economy.carry_beyond) refuse(scene, "economy.carry_beyond", "remove the key");
   for (const auto& step : scene.steps)

@@ -6,6 +6,6 @@
 namespace diefill::process::cluster {
 
 /// Throws SceneError naming the key of a scene that ranks do not support, and what to do.
-void refuse_what_ranks_cannot(const Scene& scene);
+void refuse_unsupported_on_ranks(const Scene& scene);
 
 }  // namespace diefill::process::cluster

@@ -20,7 +20,17 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 struct Gathered {
   std::map<std::string, std::vector<results::Field2D>> fields;  ///< by variant
   std::map<std::string, std::string> reasons;
+  std::map<std::string, std::string> folders;  ///< of the runs, by variant, seed and final state
 };
+
+/// The folder of an earlier run of the same variant with this seed and final state; empty: there is none.
+std::string folder_of_the_same(const results::Job& job, const results::FillResult& result,
+                               Gathered& gathered) {
+  if (result.state_hash.empty()) return {};
+  const std::string state = job.variant + '\n' + std::to_string(result.seed) + '\n' + result.state_hash;
+  const auto [first, is_new] = gathered.folders.emplace(state, job.folder);
+  return is_new ? "" : first->second;
+}
 
 void take_further(results::ComparedRun& run, const results::FillResult& result,
                   const std::vector<FurtherMeasure>& further, Gathered& gathered) {
@@ -73,6 +83,9 @@ results::ComparedRun compared_run(const std::filesystem::path& directory, const 
   if (state.stage != JobState::Stage::finished) return run;
   try {
     const auto result = results::read_results(directory / job.folder);
+    if (const auto same = folder_of_the_same(job, result, gathered); !same.empty())
+      throw results::ResultError("holds a copy of " + same + ", seed " + std::to_string(result.seed) +
+                                 ", which is counted once");
     take_values(run, result);
     take_further(run, result, further, gathered);
     run.state = "finished";
@@ -150,8 +163,10 @@ results::Comparison collect(const std::filesystem::path& directory,
     comparison.runs.push_back(compared_run(directory, job, further, gathered));
   refuse_measures_of_no_run(comparison.runs, gathered.reasons);
   comparison.measures = compare_runs(comparison.variants, comparison.runs, further);
-  for (const auto& variant : comparison.variants)
+  for (const auto& variant : comparison.variants) {
     comparison.fields.push_back(mean_field(gathered.fields[variant]));
+    comparison.field_seeds.push_back(gathered.fields[variant].size());
+  }
   return comparison;
 }
 

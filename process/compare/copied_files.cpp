@@ -4,7 +4,7 @@
 
 #include "geometry/cad/mesh_import.h"
 #include "geometry/cad/referred_files.h"
-#include "process/compare/kept_aside.h"
+#include "process/compare/backups.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/file_contents.h"
 #include "process/results/storage/result_file.h"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <sstream>
 
+#include "process/compare/backups.h"
 #include "process/compare/copied_files.h"
-#include "process/compare/kept_aside.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/file_contents.h"
 #include "process/results/storage/result_file.h"
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostListed = 6;  // folders in a note
+constexpr std::size_t kMaxListed = 6;  // folders in a note
 
 /// Empty where there is no such file.
 std::string text_in(const fs::path& file) {
@@ -49,15 +49,15 @@ bool ask_for_the_same(const std::string& a, const std::string& b, const fs::path
   }
 }
 
-/// Makes the job's scene file. Where the folder holds another computation, it is set aside, and its new path
+/// Makes the job's scene file. Where the folder holds another computation, it is renamed, and its new path
 /// given.
 std::optional<fs::path> write_scene(const fs::path& folder, const std::string& text) {
   const fs::path scene = folder / kJobScene;
   const std::string before = text_in(scene);
   if (before == text) return std::nullopt;
-  std::optional<fs::path> aside;
+  std::optional<fs::path> renamed;
   if (fs::exists(folder) && !ask_for_the_same(before, text, scene)) {
-    if (!fs::is_empty(folder)) aside = set_one_aside(folder);
+    if (!fs::is_empty(folder)) renamed = back_up(folder);
   } else if (fs::exists(folder)) {
     // A limit of its computing may be another: what failed before is tried again.
     const fs::path code = folder / kJobExitCode;
@@ -65,17 +65,18 @@ std::optional<fs::path> write_scene(const fs::path& folder, const std::string& t
   }
   make_folder(folder);
   results::write_text_atomically(scene, text);
-  return aside;
+  return renamed;
 }
 
-/// The list that lies there. One that cannot be read is set aside.
-results::JobList earlier_list(const fs::path& directory, const Say& say) {
+/// The list that lies there. One that cannot be read is renamed.
+results::JobList earlier_list(const fs::path& directory, const NoteCallback& on_note) {
   if (!fs::exists(results::job_list_file(directory))) return {};
   try {
     return results::read_job_list(directory);
   } catch (const results::ResultError& error) {
-    const fs::path aside = set_one_aside(results::job_list_file(directory));
-    if (say) say("note: " + std::string(error.what()) + "; it was renamed to " + aside.filename().string());
+    const fs::path renamed = back_up(results::job_list_file(directory));
+    if (on_note)
+      on_note("note: " + std::string(error.what()) + "; it was renamed to " + renamed.filename().string());
     return {};
   }
 }
@@ -148,24 +149,25 @@ void check_seeds(const std::vector<Variant>& variants, int seeds) {
                        std::to_string(kLargest - more));
 }
 
-results::JobList write_jobs(const fs::path& directory, const WantedJobs& wanted, const Say& say) {
+results::JobList write_jobs(const fs::path& directory, const WantedJobs& wanted,
+                            const NoteCallback& on_note) {
   check_seeds(wanted.variants, wanted.seeds);
-  const results::JobList earlier = earlier_list(directory, say);
+  const results::JobList earlier = earlier_list(directory, on_note);
   CopiedFiles copies(directory);
   const auto elsewhere = [&](const fs::path& file) { return "../../" + copies.copy(file); };
-  std::vector<std::string> aside;
+  std::vector<std::string> renamed;
   const auto list = jobs_of(wanted, [&](const std::string& folder, const Scene& scene, std::uint64_t seed) {
     if (const auto kept = write_scene(directory / folder, scene_text_with(scene, seed, elsewhere)))
-      aside.push_back(folder + " as " + kept->filename().string());
+      renamed.push_back(folder + " as " + kept->filename().string());
   });
   const auto missing = left_out(directory, earlier, list, wanted.later);
-  if (say && !aside.empty())
-    say("note: in " + directory.string() +
-        ", runs of a different scene were renamed: " + results::comma_list(aside, kMostListed));
-  if (say && !missing.empty())
-    say("note: in " + directory.string() +
-        ", earlier runs are no longer in the list and were left in place: " +
-        results::comma_list(missing, kMostListed));
+  if (on_note && !renamed.empty())
+    on_note("note: in " + directory.string() +
+            ", runs of a different scene were renamed: " + results::comma_list(renamed, kMaxListed));
+  if (on_note && !missing.empty())
+    on_note("note: in " + directory.string() +
+            ", earlier runs are no longer in the list and were left in place: " +
+            results::comma_list(missing, kMaxListed));
   results::write_job_list(directory, list);
   return list;
 }

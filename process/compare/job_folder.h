@@ -14,7 +14,7 @@
 namespace diefill::process {
 
 /// Receives messages, one line at a time; nothing: no messages.
-using Say = std::function<void(const std::string&)>;
+using NoteCallback = std::function<void(const std::string&)>;
 
 /// What is to be run, each variant with `seeds` consecutive seeds from its own.
 struct WantedJobs {
@@ -33,7 +33,8 @@ void check_seeds(const std::vector<Variant>& variants, int seeds);
 /// first result early. A folder whose scene asks for another computation now (scene/identity.h) is kept as
 /// `seed-<k>-previous-<n>`, with its contents; this, and results no longer in the list, is reported.
 /// Throws results::ResultError, and SceneError as check_seeds does.
-results::JobList write_jobs(const std::filesystem::path& directory, const WantedJobs& wanted, const Say& say);
+results::JobList write_jobs(const std::filesystem::path& directory, const WantedJobs& wanted,
+                            const NoteCallback& on_note);
 
 /// Jobs of a directory that is only read.
 struct FoundJobs {
@@ -48,7 +49,8 @@ FoundJobs find_jobs(const std::filesystem::path& directory, const WantedJobs& wa
 /// Writes what runs the jobs elsewhere: jobs.txt, one command line each; run_here.sh, which runs several at a
 /// time; and slurm.sh, an array job. Files with other contents are renamed, which is reported. Throws
 /// results::ResultError.
-void write_job_scripts(const std::filesystem::path& directory, const results::JobList& list, const Say& say);
+void write_job_scripts(const std::filesystem::path& directory, const results::JobList& list,
+                       const NoteCallback& on_note);
 
 /// State of a job.
 struct JobState {

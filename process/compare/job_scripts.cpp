@@ -1,7 +1,7 @@
 #include <optional>
 
+#include "process/compare/backups.h"
 #include "process/compare/job_folder.h"
-#include "process/compare/kept_aside.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/file_contents.h"
 #include "process/results/storage/result_file.h"
@@ -40,29 +40,29 @@ cd "${SLURM_SUBMIT_DIR:-.}" && sed -n "${SLURM_ARRAY_TASK_ID}p" jobs.txt | sh
 )";
 }
 
-/// Writes the file. One of other contents, which somebody may have made their own, is set aside; gives its
+/// Writes the file. One of other contents, which somebody may have made their own, is renamed; gives its
 /// name.
 std::optional<std::string> write_file(const fs::path& file, const std::string& text, bool runs) {
   if (results::contents_or_nothing(file).value_or("") == text) return std::nullopt;
-  std::optional<std::string> aside;
-  if (fs::exists(file)) aside = file.filename().string() + " as " + set_one_aside(file).filename().string();
+  std::optional<std::string> renamed;
+  if (fs::exists(file)) renamed = file.filename().string() + " as " + back_up(file).filename().string();
   results::write_text_atomically(file, text);
   using Permissions = fs::perms;
   if (runs) fs::permissions(file, Permissions::owner_exec | Permissions::group_exec, fs::perm_options::add);
-  return aside;
+  return renamed;
 }
 
 }  // namespace
 
-void write_job_scripts(const fs::path& directory, const results::JobList& list, const Say& say) {
+void write_job_scripts(const fs::path& directory, const results::JobList& list, const NoteCallback& on_note) {
   std::string lines, kept;
   for (const results::Job& job : list.jobs) lines += command_line(job) + '\n';
-  for (const auto& aside : {write_file(directory / "jobs.txt", lines, false),
-                            write_file(directory / "run_here.sh", here_script(), true),
-                            write_file(directory / "slurm.sh", slurm_script(list.jobs.size()), true)})
-    if (aside) kept += (kept.empty() ? "" : ", ") + *aside;
-  if (say && !kept.empty())
-    say("note: in " + directory.string() + ", earlier job scripts were renamed: " + kept);
+  for (const auto& renamed : {write_file(directory / "jobs.txt", lines, false),
+                              write_file(directory / "run_here.sh", here_script(), true),
+                              write_file(directory / "slurm.sh", slurm_script(list.jobs.size()), true)})
+    if (renamed) kept += (kept.empty() ? "" : ", ") + *renamed;
+  if (on_note && !kept.empty())
+    on_note("note: in " + directory.string() + ", earlier job scripts were renamed: " + kept);
 }
 
 }  // namespace diefill::process

@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr useconds_t kPause = 20000;                 // microseconds between looks at the jobs
 constexpr const char* kSharedStarts = "beginnings";  // folder, while jobs are under way
-constexpr std::chrono::seconds kTellEvery(5);
+constexpr std::chrono::seconds kReportInterval(5);
 constexpr int kBadSignal = 128;  // exit codes from here on: ended by a signal, or stopped and resumable
 
 /// Share of the work that a job's log last told of, 0 to 1.
@@ -76,7 +76,7 @@ class JobPool {
     }
     done_ = done_before_ = all_ - waiting_.size();
     if (done_ > 0)
-      progress_.say(std::to_string(done_) + " of " + std::to_string(all_) + " runs are already done");
+      progress_.note(std::to_string(done_) + " of " + std::to_string(all_) + " runs are already done");
   }
 
   void run() {
@@ -87,9 +87,9 @@ class JobPool {
       take_ended();
       if (left() <= 0) end_early();
       show();
-      if (Clock::now() - told_ > kTellEvery) tell();
+      if (Clock::now() - reported_ > kReportInterval) report();
     }
-    tell();
+    report();
     remove_shared_starts(directory_ / kSharedStarts);
   }
 
@@ -109,8 +109,8 @@ class JobPool {
   void wait_for_earlier_run(const fs::path& folder) const {
     constexpr auto kPatience = std::chrono::seconds(60);
     const auto start = Clock::now();
-    const auto stop_asked = [this] { return options_.stop != nullptr && options_.stop->load(); };
-    while (results::lock_holder(folder) && !stop_asked() && Clock::now() - start < kPatience)
+    const auto stop_requested = [this] { return options_.stop != nullptr && options_.stop->load(); };
+    while (results::lock_holder(folder) && !stop_requested() && Clock::now() - start < kPatience)
       ::usleep(kPause);
   }
 
@@ -140,7 +140,7 @@ class JobPool {
     if (options_.share_starts)
       words.insert(words.end(), {"--beginnings", (directory_ / kSharedStarts).string()});
     running.process = std::make_unique<ChildProcess>(words, folder / kJobLog);
-    progress_.say("started " + description(job));
+    progress_.note("started " + description(job));
     running_.push_back(std::move(running));
   }
 
@@ -164,7 +164,7 @@ class JobPool {
       results::write_text_atomically(directory_ / job.folder / kJobExitCode, std::to_string(code) + "\n");
     const JobState state = state_of(directory_, job);
     const std::string end = state.stage == JobState::Stage::failed ? "failed: " + state.reason : "finished";
-    if (!stopped) progress_.say(description(job) + ' ' + end + " (" + duration_text(seconds) + ')');
+    if (!stopped) progress_.note(description(job) + ' ' + end + " (" + duration_text(seconds) + ')');
   }
 
   void show() {
@@ -183,7 +183,7 @@ class JobPool {
            static_cast<double>(std::max<std::size_t>(all_, 1));
   }
 
-  JobUnderWay state_now(const results::Job& job) const {
+  JobProgress state_now(const results::Job& job) const {
     for (const RunningJob& running : running_)
       if (running.job == &job)
         return {&job, "running", share_in(directory_ / job.folder / kJobLog),
@@ -194,11 +194,11 @@ class JobPool {
     return {&job, state.stage == JobState::Stage::failed ? state.reason : "not finished", 0, 0};
   }
 
-  /// Tells who watches.
-  void tell() {
-    told_ = Clock::now();
+  /// Calls JobOptions::watch.
+  void report() {
+    reported_ = Clock::now();
     if (!options_.watch) return;
-    JobsUnderWay all;
+    JobListProgress all;
     for (const auto& job : list_.jobs) all.jobs.push_back(state_now(job));
     all.share = share_done();
     all.seconds = std::chrono::duration<double>(Clock::now() - began_).count();
@@ -237,7 +237,7 @@ class JobPool {
   double share_of_running_ = 0;
   double spent_ = 0;  ///< s of processor time of all jobs that are not at work
   bool ending_early_ = false;
-  Clock::time_point looked_ = Clock::now(), began_ = looked_, told_ = looked_;
+  Clock::time_point looked_ = Clock::now(), began_ = looked_, reported_ = looked_;
 };
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace diefill::process {
 
 /// A run of a list while the list is at work.
-struct JobUnderWay {
+struct JobProgress {
   const results::Job* job = nullptr;
   std::string state;   ///< "waiting", "running", "finished", or why it failed
   double share = 0;    ///< of its work that is done, 0 to 1
@@ -22,8 +22,8 @@ struct JobUnderWay {
 };
 
 /// All runs of a list, in its order.
-struct JobsUnderWay {
-  std::vector<JobUnderWay> jobs;
+struct JobListProgress {
+  std::vector<JobProgress> jobs;
   double share = 0;        ///< of the work that is done, 0 to 1
   double seconds = 0;      ///< since the call
   double first_share = 0;  ///< of the work that earlier calls had done
@@ -41,18 +41,18 @@ struct JobOptions {
   /// s of processor time that all jobs together may have cost, earlier runs of them included. What is at work
   /// then is stopped with a checkpoint, what waits is left.
   double cpu_seconds = std::numeric_limits<double>::infinity();
-  /// Asked before a job starts, given what is left of `cpu_seconds`: whether it is to. Nothing: always.
+  /// Whether a job is to start, given what is left of `cpu_seconds`. Empty: always.
   std::function<bool(const results::Job&, double left)> starts;
   bool show_progress = true;
   const std::atomic<bool>* stop = nullptr;  ///< set from a signal handler
-  /// Told every few seconds, and at the end, how the runs are going. Nothing: nobody is.
-  std::function<void(const JobsUnderWay&)> watch;
+  /// Called every few seconds, and at the end, with the progress of the runs. May be empty.
+  std::function<void(const JobListProgress&)> watch;
 };
 
 /// Runs every job that is not finished, from its checkpoint where it has one; one that left the method's
-/// valid range before would do so again and is left out. What a job says goes to its run.log, how it ended to
-/// its exit_code. When asked to stop it stops the jobs with a checkpoint and throws Interrupted. Throws
-/// std::runtime_error where no process can be made. What a job costs goes to its folder
+/// valid range before would do so again and is left out. The output of a job goes to its run.log, its exit
+/// code to its exit_code. When asked to stop it stops the jobs with a checkpoint and throws Interrupted.
+/// Throws std::runtime_error where no process can be made. What a job costs goes to its folder
 /// (results/studies/job_cost.h).
 void run_jobs(const std::filesystem::path& directory, const results::JobList& list,
               const JobOptions& options);

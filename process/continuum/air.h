@@ -19,7 +19,7 @@ double air_number(double diameter, double density, double viscosity = kAirViscos
 /// permeability k in m^2 (Darcy 1856).
 double carrying_flux(double permeability, double apparent_density, double viscosity, double gravity);
 
-/// s until the air of a cavity of `depth` m has left upwards through powder that covers its mouth and whose
+/// s until the air of a cavity of `depth` m has left upwards through powder that covers its opening and whose
 /// weight drives it out: depth over carrying_flux().
 double escape_time(double depth, double flux);
 
@@ -27,6 +27,6 @@ double escape_time(double depth, double flux);
 /// that the punch draws past it adds to gravity by the flux past it over `flux` (carrying_flux()). At most
 /// `punch_speed`. Root of u^2 = own_speed^2 (1 + (punch_speed - u) / flux), ours: a Beverloo flow is
 /// proportional to the root of gravity.
-double sucked_speed(double own_speed, double punch_speed, double flux);
+double suction_speed(double own_speed, double punch_speed, double flux);
 
 }  // namespace diefill::process::continuum

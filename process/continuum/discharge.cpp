@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "process/powder/empty_annulus.h"
+
 namespace diefill::process::continuum {
 
 namespace {
@@ -27,7 +29,7 @@ double discharged_share(const TransientCoefficients& numbers, double x) {
 }
 
 double effective_width(double width, double grain_diameter) {
-  return std::max(0.0, width - 1.4 * grain_diameter);
+  return std::max(0.0, width - kEmptyAnnulus * grain_diameter);
 }
 
 double beverloo_round(double coefficient, double density, double diameter, double gravity) {

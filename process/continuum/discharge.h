@@ -15,7 +15,7 @@ struct SlitFlow {
   double gravity = kStandardGravity;  ///< m/s^2
 };
 
-/// m, what coarse grains of size d leave of an opening: D - 1.4 d, none below zero (Bierwisch 2009,
+/// m, what coarse grains of size d leave of an opening: D - kEmptyAnnulus d, none below zero (Bierwisch 2009,
 /// section 3.2.2).
 double effective_width(double width, double grain_diameter);
 

@@ -6,12 +6,12 @@
 #include <stdexcept>
 
 #include "process/input/units.h"
+#include "process/powder/empty_annulus.h"
 
 namespace diefill::process::continuum {
 
 namespace {
 
-constexpr double kEmptyAnnulus = 1.4;         // over d (Bierwisch 2009, section 3.2.2)
 constexpr std::size_t kWidthsForAnnulus = 3;  // to fit it
 
 double felt(const DischargePoint& point, const DischargeData& data) {
@@ -127,11 +127,11 @@ void refuse_closed(DischargeLaw law, const DischargeData& data) {
   if (!(data.grain_diameter > 0) || fits_annulus) return;
   for (const auto& point : data.points)
     if (!(felt(point, data) > 0))
-      throw std::invalid_argument(
-          "found an opening of " + number_text(1e3 * point.width) + " mm with grains of " +
-          number_text(1e3 * data.grain_diameter) +
-          " mm, allowed: more than 1.4 grain diameters, as nothing flows otherwise; check "
-          "width and grain diameter, or remove its points");
+      throw std::invalid_argument("found an opening of " + number_text(1e3 * point.width) +
+                                  " mm with grains of " + number_text(1e3 * data.grain_diameter) +
+                                  " mm, allowed: more than " + number_text(kEmptyAnnulus) +
+                                  " grain diameters, as nothing flows otherwise; check "
+                                  "width and grain diameter, or remove its points");
 }
 
 /// A number that a flow has at 0 or above: below it by more than the points leave open.

@@ -14,7 +14,7 @@ namespace diefill::process::continuum {
 
 namespace {
 
-constexpr std::size_t kMostPoints = 200000;
+constexpr std::size_t kMaxPoints = 200000;
 
 /// A quantity that a column may hold.
 struct Quantity {
@@ -220,8 +220,8 @@ DischargeData read_discharge_table(const std::filesystem::path& path, DischargeL
   while (file.next()) {
     double density = data.density;
     DischargePoint point = point_of(file, columns, law, common, density);
-    if (data.points.size() == kMostPoints)
-      throw SceneError(file.place() + ": found more than " + std::to_string(kMostPoints) +
+    if (data.points.size() == kMaxPoints)
+      throw SceneError(file.place() + ": found more than " + std::to_string(kMaxPoints) +
                        " measurements; leave out some");
     // Laws are linear in the density, so that one of a point is as good as a mass at the density of the
     // first.

@@ -80,19 +80,19 @@ std::optional<double> fastest(const Offered& offered, double wanted) {
 }
 
 /// What an estimate of one opening goes by.
-struct Ground {
-  const Mouth& mouth;
-  const ShoeWay& way;
+struct EstimateInputs {
+  const OpeningLayout& layout;
+  const ShoePath& path;
   const InflowPowder& powder;
 };
 
 /// kg offered to opening `k` in its first `crossings` at `faster` times the speed.
-double offered_at(const Ground& ground, std::size_t k, std::size_t crossings, double faster) {
-  const auto mass = inflow(ground.mouth, ground.way, ground.powder, faster)[k];
+double offered_at(const EstimateInputs& inputs, std::size_t k, std::size_t crossings, double faster) {
+  const auto mass = inflow(inputs.layout, inputs.path, inputs.powder, faster)[k];
   return std::accumulate(mass.begin(), mass.begin() + static_cast<std::ptrdiff_t>(crossings), 0.0);
 }
 
-Room room_of(const OpeningEstimate& opening) {
+FillSpace space_of(const OpeningEstimate& opening) {
   return {opening.depth, opening.width};
 }
 
@@ -100,39 +100,39 @@ Room room_of(const OpeningEstimate& opening) {
 double kept(const OpeningEstimate& opening, double offered) {
   if (!(opening.full_mass > 0)) return 0;
   const double height = offered / opening.full_mass * opening.depth;
-  return filled_height(room_of(opening), height) / opening.depth * opening.full_mass;
+  return filled_height(space_of(opening), height) / opening.depth * opening.full_mass;
 }
 
-void find_speeds(const Ground& ground, std::size_t k, OpeningEstimate& opening) {
-  if (!opening.is_cavity || !(ground.way.speed > 0) || opening.offered.empty()) return;
+void find_speeds(const EstimateInputs& inputs, std::size_t k, OpeningEstimate& opening) {
+  if (!opening.is_cavity || !(inputs.path.speed > 0) || opening.offered.empty()) return;
   const double wanted =
-      offered_for(room_of(opening), kFull * opening.depth) / opening.depth * opening.full_mass;
+      offered_for(space_of(opening), kFull * opening.depth) / opening.depth * opening.full_mass;
   const auto speed = [&](std::size_t crossings) -> std::optional<double> {
     const auto factor =
-        fastest([&](double faster) { return offered_at(ground, k, crossings, faster); }, wanted);
+        fastest([&](double faster) { return offered_at(inputs, k, crossings, faster); }, wanted);
     if (!factor) return std::nullopt;
-    return *factor * ground.way.speed;
+    return *factor * inputs.path.speed;
   };
   opening.speed_once = speed(1);
   opening.speed_all = opening.offered.size() > 1 ? speed(opening.offered.size()) : opening.speed_once;
   const double once = sum(opening.offered) / static_cast<double>(opening.offered.size());
-  if (once > 0 && wanted / once <= kMostCrossings)
+  if (once > 0 && wanted / once <= kMaxCrossings)
     opening.crossings = std::max(1, static_cast<int>(std::ceil(wanted / once - 1e-9)));
 }
 
 /// Sets what is shared over the places of opening `k`: where the shoe is too fast, how long powder covers it.
-void find_cover(const Ground& ground, std::size_t k, OpeningEstimate& opening) {
+void find_cover(const EstimateInputs& inputs, std::size_t k, OpeningEstimate& opening) {
   double area = 0, fast = 0;
-  for (std::size_t n = 0; n < ground.mouth.places.size(); ++n) {
-    const MouthPlace& place = ground.mouth.places[n];
-    if (place.opening != k || ground.way.exposures[n].empty()) continue;
-    const double seconds = ground.way.exposures[n].front().seconds;
-    const double effective = effective_width(place.width, ground.powder);
+  for (std::size_t n = 0; n < inputs.layout.places.size(); ++n) {
+    const OpeningPatch& place = inputs.layout.places[n];
+    if (place.opening != k || inputs.path.exposures[n].empty()) continue;
+    const double seconds = inputs.path.exposures[n].front().seconds;
+    const double effective = effective_width(place.width, inputs.powder);
     area += place.area;
     opening.filling_time += place.area * seconds;
-    const double fresh = std::max(1.0, ground.way.exposures[n].front().travel / std::max(1e-9, effective));
+    const double fresh = std::max(1.0, inputs.path.exposures[n].front().travel / std::max(1e-9, effective));
     if (!(effective > 0) ||
-        seconds / fresh < continuum::kBurst * std::sqrt(effective / ground.powder.gravity))
+        seconds / fresh < continuum::kBurst * std::sqrt(effective / inputs.powder.gravity))
       fast += place.area;
   }
   if (!(area > 0)) return;
@@ -157,24 +157,24 @@ void fill(const KnownError& error, OpeningEstimate& opening) {
   opening.most_share = in(offered * error.factor) / opening.full_mass;
 }
 
-OpeningEstimate opening_of(const Ground& ground, std::size_t k, const PowderEstimate& powder,
+OpeningEstimate opening_of(const EstimateInputs& inputs, std::size_t k, const PowderEstimate& powder,
                            const KnownError& error) {
-  const MouthOpening& mouth = ground.mouth.openings[k];
+  const FillOpening& layout = inputs.layout.openings[k];
   OpeningEstimate opening;
-  opening.is_cavity = mouth.is_cavity;
-  opening.name = !mouth.is_cavity ? "slit" : k == 0 ? "cavity" : "cavity " + std::to_string(k + 1);
-  opening.volume = mouth.volume;
-  opening.area = mouth.area;
-  opening.depth = mouth.area > 0 ? mouth.volume / mouth.area : 0;
-  opening.width = mouth.width;
-  opening.effective_width = effective_width(mouth.width, ground.powder);
-  opening.full_mass = powder.density * mouth.volume;
-  opening.offered = inflow(ground.mouth, ground.way, ground.powder)[k];
+  opening.is_cavity = layout.is_cavity;
+  opening.name = !layout.is_cavity ? "slit" : k == 0 ? "cavity" : "cavity " + std::to_string(k + 1);
+  opening.volume = layout.volume;
+  opening.area = layout.area;
+  opening.depth = layout.area > 0 ? layout.volume / layout.area : 0;
+  opening.width = layout.width;
+  opening.effective_width = effective_width(layout.width, inputs.powder);
+  opening.full_mass = powder.density * layout.volume;
+  opening.offered = inflow(inputs.layout, inputs.path, inputs.powder)[k];
   fill(error, opening);
-  find_speeds(ground, k, opening);
-  find_cover(ground, k, opening);
+  find_speeds(inputs, k, opening);
+  find_cover(inputs, k, opening);
   if (opening.effective_width > 0)
-    opening.froude = ground.way.speed / std::sqrt(ground.powder.gravity * opening.effective_width);
+    opening.froude = inputs.path.speed / std::sqrt(inputs.powder.gravity * opening.effective_width);
   if (opening.is_cavity && powder.carrying_flux)
     opening.air_escapes = continuum::escape_time(opening.depth, *powder.carrying_flux);
   return opening;
@@ -187,16 +187,17 @@ double running_speed(const InflowPowder& powder, double width) {
   return continuum::rate_share(powder.law.numbers, x) * std::sqrt(powder.gravity * width);
 }
 
-SuctionEstimate suction_of(const FallingPunch& punch, const Ground& ground, const PowderEstimate& powder) {
+SuctionEstimate suction_of(const FallingPunch& punch, const EstimateInputs& inputs,
+                           const PowderEstimate& powder) {
   SuctionEstimate suction;
   suction.punch = punch;
   suction.volume_mass = powder.density * punch.area * punch.stroke;
-  const double width = effective_width(ground.mouth.openings[punch.opening].width, ground.powder);
-  const double own = running_speed(ground.powder, width);
+  const double width = effective_width(inputs.layout.openings[punch.opening].width, inputs.powder);
+  const double own = running_speed(inputs.powder, width);
   suction.by_weight = suction.volume_mass * std::min(1.0, own / punch.speed());
   if (!powder.carrying_flux) return suction;
   suction.with_air = suction.volume_mass *
-                     continuum::sucked_speed(own, punch.speed(), *powder.carrying_flux) / punch.speed();
+                     continuum::suction_speed(own, punch.speed(), *powder.carrying_flux) / punch.speed();
   suction.pull = punch.speed() / *powder.carrying_flux;
   return suction;
 }
@@ -240,21 +241,21 @@ Estimate estimate(const Scene& given, const Tooling& tooling, const EstimateOpti
   found.law = options.law ? *options.law : discharge_of(scene.powder);
   found.grain_diameter = scene.powder.grain_diameter;
   found.error = known_error(scene.powder.name, options.law.has_value() || !scene.other_powders.empty());
-  Mouth mouth = mouth_of(scene, tooling);
-  found.way = shoe_way(scene, tooling, mouth);
+  OpeningLayout layout = find_openings(scene, tooling);
+  found.path = shoe_path(scene, tooling, layout);
   const InflowPowder powder{found.law, found.powder.density, found.grain_diameter, scene.gravity.norm()};
-  const Ground ground{mouth, found.way, powder};
-  for (std::size_t k = 0; k < mouth.openings.size(); ++k)
-    if (mouth.openings[k].area > 0)
-      found.openings.push_back(opening_of(ground, k, found.powder, found.error));
+  const EstimateInputs inputs{layout, found.path, powder};
+  for (std::size_t k = 0; k < layout.openings.size(); ++k)
+    if (layout.openings[k].area > 0)
+      found.openings.push_back(opening_of(inputs, k, found.powder, found.error));
   share_out(found);
-  for (const FallingPunch& punch : mouth.punches)
-    found.suctions.push_back(suction_of(punch, ground, found.powder));
+  for (const FallingPunch& punch : layout.punches)
+    found.suctions.push_back(suction_of(punch, inputs, found.powder));
   found.cycle_time = cycle_time(scene);
-  found.crossing_time = crossing_time(scene, found.way.tool);
+  found.crossing_time = crossing_time(scene, found.path.tool);
   found.answer = answer_of(found);
   found.numbers = scene_numbers(scene, found);
-  found.way.exposures.clear();
+  found.path.exposures.clear();
   return found;
 }
 

@@ -26,9 +26,9 @@ inline constexpr double kFull = 0.99;
 struct OpeningEstimate {
   std::string name;                       ///< "cavity", "cavity 2", "slit"
   bool is_cavity = false;                 ///< else powder runs right through
-  double volume = 0, depth = 0;           ///< m^3, m (volume over mouth); 0 for a slit
-  double area = 0;                        ///< m^2 of the mouth
-  double width = 0, effective_width = 0;  ///< m, of the mouth; the same for grains of the scene's size
+  double volume = 0, depth = 0;           ///< m^3, m (volume over area of the opening); 0 for a slit
+  double area = 0;                        ///< m^2 of the opening
+  double width = 0, effective_width = 0;  ///< m, of the opening; the same for grains of the scene's size
   double full_mass = 0;                   ///< kg at apparent density; 0 for a slit
   std::vector<double> offered;            ///< kg that would run in, floor or not, by crossing
   std::vector<double> mass;               ///< kg in it after each crossing
@@ -37,15 +37,15 @@ struct OpeningEstimate {
   double share = 0;                       ///< of full_mass after all crossings
   double least_share = 0;                 ///< the same if the inflow is less by the error
   double most_share = 0;                  ///< the same if it is more
-  double too_fast = 0;                ///< share of the first crossing's mouth where flow has no time to begin
+  double too_fast = 0;  ///< share of the opening where, in the first crossing, flow has no time to begin
   std::optional<double> speed_once;   ///< m/s, fastest that fills it in one crossing
   std::optional<double> speed_all;    ///< m/s, the same in as many crossings as the scene has
-  std::optional<int> crossings;       ///< needed at the scene's speed; nothing: more than kMostCrossings
+  std::optional<int> crossings;       ///< needed at the scene's speed; nothing: more than kMaxCrossings
   double froude = 0;                  ///< v_s / sqrt(g D), D the effective width
   std::optional<double> air_escapes;  ///< s; nothing: particle size not known, or no cavity
   double filling_time = 0;            ///< s that powder covers it in the first crossing, mean
 };
-inline constexpr int kMostCrossings = 100;
+inline constexpr int kMaxCrossings = 100;
 
 /// A punch that falls under the shoe.
 struct SuctionEstimate {
@@ -65,7 +65,7 @@ struct SceneNumber {
 /// Powder and air as the estimate takes them.
 struct PowderEstimate {
   double density = 0;                ///< kg/m^3, apparent
-  bool density_is_estimate = false;  ///< nobody has weighed it
+  bool density_is_estimate = false;  ///< not weighed
   double solid_fraction = 0;
   double in_shoe = 0;                       ///< kg
   std::string name;                         ///< of [powder]
@@ -84,7 +84,7 @@ struct Estimate {
   PowderEstimate powder;
   PowderDischarge law;
   double grain_diameter = 0;            ///< m
-  ShoeWay way;                          ///< without exposures
+  ShoePath path;                        ///< without exposures
   std::optional<double> cycle_time;     ///< s, of the steps
   std::optional<double> crossing_time;  ///< s of one crossing, pauses apart
   std::vector<OpeningEstimate> openings;

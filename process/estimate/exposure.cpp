@@ -61,7 +61,7 @@ std::vector<ShoePose> poses_of(const Scene& scene, const Tooling& tooling, const
 }
 
 /// The stretches of time in which powder stands over `place`.
-std::vector<Exposure> exposures_of(const MouthPlace& place, const Footprint& powder,
+std::vector<Exposure> exposures_of(const OpeningPatch& place, const Footprint& powder,
                                    const std::vector<ShoePose>& poses) {
   std::vector<Exposure> found;
   bool was_over = false;
@@ -88,21 +88,21 @@ std::vector<Exposure> exposures_of(const MouthPlace& place, const Footprint& pow
 }
 
 /// Sets speed and length, the means over the area of the openings, of the first crossing that moves.
-void measure_way(const Mouth& mouth, ShoeWay& way) {
+void measure_path(const OpeningLayout& layout, ShoePath& path) {
   double area = 0, length = 0, seconds = 0;
-  for (std::size_t k = 0; k < mouth.places.size(); ++k) {
-    way.crossings = std::max(way.crossings, way.exposures[k].size());
-    for (const Exposure& exposure : way.exposures[k]) {
+  for (std::size_t k = 0; k < layout.places.size(); ++k) {
+    path.crossings = std::max(path.crossings, path.exposures[k].size());
+    for (const Exposure& exposure : path.exposures[k]) {
       if (exposure.travel < kAtRest) continue;
-      area += mouth.places[k].area;
-      length += mouth.places[k].area * exposure.travel;
-      seconds += mouth.places[k].area * exposure.seconds;
+      area += layout.places[k].area;
+      length += layout.places[k].area * exposure.travel;
+      seconds += layout.places[k].area * exposure.seconds;
       break;
     }
   }
   if (!(area > 0)) return;
-  way.length = length / area;
-  way.speed = length / seconds;
+  path.length = length / area;
+  path.speed = length / seconds;
 }
 
 Eigen::Vector2d direction_of(const std::vector<ShoePose>& poses) {
@@ -116,23 +116,23 @@ Eigen::Vector2d direction_of(const std::vector<ShoePose>& poses) {
 
 }  // namespace
 
-ShoeWay shoe_way(const Scene& scene, const Tooling& tooling, Mouth& mouth) {
-  ShoeWay way;
-  way.exposures.resize(mouth.places.size());
+ShoePath shoe_path(const Scene& scene, const Tooling& tooling, OpeningLayout& layout) {
+  ShoePath path;
+  path.exposures.resize(layout.places.size());
   const auto shoe = std::find_if(tooling.tools.begin(), tooling.tools.end(),
                                  [](const Tool& tool) { return tool.spec.role == ToolRole::shoe; });
-  if (shoe == tooling.tools.end()) return way;
-  way.tool = shoe->spec.name;
-  const auto poses = poses_of(scene, tooling, way.tool);
-  if (poses.empty()) return way;
+  if (shoe == tooling.tools.end()) return path;
+  path.tool = shoe->spec.name;
+  const auto poses = poses_of(scene, tooling, path.tool);
+  if (poses.empty()) return path;
   const Footprint powder(scene, *shoe);
-  way.direction = direction_of(poses);
-  for (std::size_t k = 0; k < mouth.places.size(); ++k) {
-    mouth.places[k].chord = mouth.outline.chord(mouth.places[k].at, way.direction);
-    way.exposures[k] = exposures_of(mouth.places[k], powder, poses);
+  path.direction = direction_of(poses);
+  for (std::size_t k = 0; k < layout.places.size(); ++k) {
+    layout.places[k].chord = layout.outline.chord(layout.places[k].at, path.direction);
+    path.exposures[k] = exposures_of(layout.places[k], powder, poses);
   }
-  measure_way(mouth, way);
-  return way;
+  measure_path(layout, path);
+  return path;
 }
 
 }  // namespace diefill::process::estimate

@@ -8,24 +8,24 @@ namespace diefill::process::estimate {
 
 namespace {
 
-double slows_below(const Room& room) {
-  return std::min(room.depth, kSlowsBelow * room.width);
+double slows_below(const FillSpace& space) {
+  return std::min(space.depth, kSlowsBelow * space.width);
 }
 
 }  // namespace
 
-double filled_height(const Room& room, double offered) {
-  const double reach = slows_below(room), free = room.depth - reach;
+double filled_height(const FillSpace& space, double offered) {
+  const double reach = slows_below(space), free = space.depth - reach;
   if (offered <= free) return offered;
-  if (!(reach > 0)) return room.depth;
-  return room.depth - reach * std::exp(-(offered - free) / reach);
+  if (!(reach > 0)) return space.depth;
+  return space.depth - reach * std::exp(-(offered - free) / reach);
 }
 
-double offered_for(const Room& room, double height) {
-  const double reach = slows_below(room), free = room.depth - reach;
+double offered_for(const FillSpace& space, double height) {
+  const double reach = slows_below(space), free = space.depth - reach;
   if (height <= free) return height;
-  if (height >= room.depth) return std::numeric_limits<double>::infinity();
-  return free - reach * std::log((room.depth - height) / reach);
+  if (height >= space.depth) return std::numeric_limits<double>::infinity();
+  return free - reach * std::log((space.depth - height) / reach);
 }
 
 }  // namespace diefill::process::estimate

@@ -8,7 +8,7 @@ namespace diefill::process::estimate {
 namespace {
 
 /// kg/m^2 of the place that run down through it in one exposure.
-double inflow_per_area(const MouthPlace& place, const Exposure& exposure, const InflowPowder& powder,
+double inflow_per_area(const OpeningPatch& place, const Exposure& exposure, const InflowPowder& powder,
                        double faster) {
   const double width = effective_width(place.width, powder);
   if (!(width > 0)) return 0;
@@ -25,13 +25,13 @@ double effective_width(double width, const InflowPowder& powder) {
   return continuum::effective_width(width, std::max(0.0, powder.grain_diameter - powder.law.grain_diameter));
 }
 
-std::vector<std::vector<double>> inflow(const Mouth& mouth, const ShoeWay& way, const InflowPowder& powder,
-                                        double faster) {
-  std::vector<std::vector<double>> mass(mouth.openings.size(), std::vector<double>(way.crossings, 0.0));
-  for (std::size_t k = 0; k < mouth.places.size(); ++k) {
-    const MouthPlace& place = mouth.places[k];
-    for (std::size_t n = 0; n < way.exposures[k].size(); ++n)
-      mass[place.opening][n] += place.area * inflow_per_area(place, way.exposures[k][n], powder, faster);
+std::vector<std::vector<double>> inflow(const OpeningLayout& layout, const ShoePath& path,
+                                        const InflowPowder& powder, double faster) {
+  std::vector<std::vector<double>> mass(layout.openings.size(), std::vector<double>(path.crossings, 0.0));
+  for (std::size_t k = 0; k < layout.places.size(); ++k) {
+    const OpeningPatch& place = layout.places[k];
+    for (std::size_t n = 0; n < path.exposures[k].size(); ++n)
+      mass[place.opening][n] += place.area * inflow_per_area(place, path.exposures[k][n], powder, faster);
   }
   return mass;
 }

@@ -23,8 +23,8 @@ double effective_width(double width, const InflowPowder& powder);
 ///
 /// A generalisation of Eq. 5.17 (Bierwisch 2009) from a slit to openings of any shape (ours): every place
 /// lets through what a slit of its local width does, on an area reduced by the empty annulus; fresh powder
-/// comes over it each time that the shoe has gone on by the opening's length along its way.
-std::vector<std::vector<double>> inflow(const Mouth& mouth, const ShoeWay& way, const InflowPowder& powder,
-                                        double faster = 1);
+/// comes over it each time that the shoe has advanced by the opening's length along its path.
+std::vector<std::vector<double>> inflow(const OpeningLayout& layout, const ShoePath& path,
+                                        const InflowPowder& powder, double faster = 1);
 
 }  // namespace diefill::process::estimate

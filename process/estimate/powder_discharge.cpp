@@ -7,6 +7,7 @@
 
 #include "process/input/scene_error.h"
 #include "process/input/text_file.h"
+#include "process/input/units.h"
 #include "process/scene/powder_presets.h"
 
 namespace diefill::process::estimate {
@@ -88,6 +89,9 @@ PowderDischarge read_discharge(const std::filesystem::path& file) {
   law.numbers = {value("C_B"), value("C_I"), value("C_F"), value("beta")};
   law.longest =
       json.contains("largest_x") ? number(json, "largest_x", name) : std::numeric_limits<double>::infinity();
+  if (law.longest < 0)
+    throw SceneError(name + ": found largest_x = " + number_text(law.longest) +
+                     ", allowed: 0 or more, as the flow begins there; fit again");
   law.grain_diameter = 0;  // openings as they are, or as grains felt them: either way those of no grain
   if (!(law.numbers.steady > 0 && law.numbers.beta > 0))
     throw SceneError(name + ": found C_F or beta of 0 or below, allowed: above 0; fit again");

@@ -74,7 +74,7 @@ std::string remedy(const Estimate& estimate, const OpeningEstimate& opening) {
   if (opening.speed_once) text = line("%.2g m/s fills it in one crossing", *opening.speed_once);
   if (opening.crossings && *opening.crossings > static_cast<int>(opening.offered.size()))
     text += (text.empty() ? "" : ", ") +
-            line("%d crossings fill it at %.2g m/s", *opening.crossings, estimate.way.speed);
+            line("%d crossings fill it at %.2g m/s", *opening.crossings, estimate.path.speed);
   if (text.empty()) text = "not even a hundredth of the speed fills it by this formula: widen the opening";
   return text;
 }
@@ -87,8 +87,8 @@ struct Subject {
 };
 
 Subject subject(const Estimate& estimate, const OpeningEstimate& opening) {
-  if (!(estimate.way.speed > 0)) return {"the shoe standing over it", false};
-  return {times(opening.offered.size()) + line(" at %.3g m/s", estimate.way.speed),
+  if (!(estimate.path.speed > 0)) return {"the shoe standing over it", false};
+  return {times(opening.offered.size()) + line(" at %.3g m/s", estimate.path.speed),
           opening.offered.size() > 1};
 }
 
@@ -114,21 +114,23 @@ std::string answer_text(const Estimate& estimate) {
   if (!none.empty()) return none;
   const double least = percent(worst->least_share), most = percent(worst->most_share);
   const char* name = worst->name.c_str();
-  const Subject way = subject(estimate, *worst);
+  const Subject passages = subject(estimate, *worst);
   if (estimate.answer == Answer::too_fast)
-    return (estimate.way.speed > 0 ? "the shoe is too fast: " : "it does not fill: ") + way.does("leave") +
+    return (estimate.path.speed > 0 ? "the shoe is too fast: " : "it does not fill: ") +
+           passages.does("leave") +
            line(
                " the %s about %.0f %% full, at most %.0f %% with the uncertainty. No simulation is "
                "needed for this: ",
                name, percent(worst->share), most) +
            remedy(estimate, *worst);
   if (estimate.answer == Answer::fills)
-    return way.does("fill") + line(
-                                  " every cavity: %.2g times what the %s holds would run in, and it is at "
-                                  "least %.0f %% full with the uncertainty. No simulation is needed "
-                                  "for this; simulate for the density map",
-                                  offered_share(*worst), name, least);
-  return "too close to call: " + way.does("leave") +
+    return passages.does("fill") +
+           line(
+               " every cavity: %.2g times what the %s holds would run in, and it is at "
+               "least %.0f %% full with the uncertainty. No simulation is needed "
+               "for this; simulate for the density map",
+               offered_share(*worst), name, least);
+  return "too close to call: " + passages.does("leave") +
          line(
              " the %s about %.0f %% full, %.0f to %.0f %% with the uncertainty. Simulate, or measure your "
              "powder (diefill fit-discharge); by the formula ",
@@ -140,7 +142,7 @@ std::string opening_text(const Estimate& estimate, const OpeningEstimate& openin
   const std::string crossings = times(opening.offered.size());
   std::string text = opening.name + ": ";
   if (opening.is_cavity) text += line("%.3g cm3, %.3g mm deep, ", 1e6 * opening.volume, 1e3 * opening.depth);
-  text += line("mouth of %.3g mm2, %.3g mm wide on average", 1e6 * opening.area, 1e3 * opening.width);
+  text += line("opening of %.3g mm2, %.3g mm wide on average", 1e6 * opening.area, 1e3 * opening.width);
   if (opening.effective_width < 0.99 * opening.width)
     text += line(", effective width %.3g mm for grains of %.3g mm", 1e3 * opening.effective_width,
                  1e3 * estimate.grain_diameter);
@@ -153,7 +155,7 @@ std::string opening_text(const Estimate& estimate, const OpeningEstimate& openin
           line(" are in it: %.0f %% full (%.0f to %.0f %%)", percent(opening.share),
                percent(opening.least_share), percent(opening.most_share));
   if (opening.too_fast > 0.05)
-    text += line(". Over %.0f %% of the mouth the shoe is too fast for flow to begin at all",
+    text += line(". Over %.0f %% of the opening the shoe is too fast for flow to begin at all",
                  100 * opening.too_fast);
   return text;
 }
@@ -182,10 +184,10 @@ void add_speed_statements(const Estimate& estimate, std::vector<Statement>& said
                                      "the scene's");
     if (opening.offered.size() > 1 && opening.speed_all)
       text += line(", %.2g m/s for %zu crossings", *opening.speed_all, opening.offered.size());
-    text += opening.crossings ? line("; at the scene's %.2g m/s it needs %d crossing%s", estimate.way.speed,
+    text += opening.crossings ? line("; at the scene's %.2g m/s it needs %d crossing%s", estimate.path.speed,
                                      *opening.crossings, *opening.crossings == 1 ? "" : "s")
                               : line("; at the scene's %.2g m/s it does not fill in %d crossings",
-                                     estimate.way.speed, kMostCrossings);
+                                     estimate.path.speed, kMaxCrossings);
     said.push_back({"shoe speed", text, kFormula, "as for filling; full means 99 %", error_text(estimate)});
   }
 }
@@ -208,16 +210,16 @@ void add_cycle_statement(const Estimate& estimate, std::vector<Statement>& said)
   std::string text = line("the scene's steps take %.3g s", *estimate.cycle_time);
   const OpeningEstimate* worst = emptiest(estimate);
   if (worst != nullptr && estimate.crossing_time && worst->speed_once && worst->crossings &&
-      estimate.way.speed > 0) {
+      estimate.path.speed > 0) {
     const double many = *worst->crossings * *estimate.crossing_time;
-    const double slow = *estimate.crossing_time * estimate.way.speed / *worst->speed_once;
+    const double slow = *estimate.crossing_time * estimate.path.speed / *worst->speed_once;
     if (*worst->crossings > 1)
       text += line(
           ". To fill the %s, %d crossings at %.2g m/s take %.2g s and one at %.2g m/s %.2g s (pauses "
           "apart): %s is quicker",
-          worst->name.c_str(), *worst->crossings, estimate.way.speed, many, *worst->speed_once, slow,
+          worst->name.c_str(), *worst->crossings, estimate.path.speed, many, *worst->speed_once, slow,
           many < slow ? "passing often" : "one slow crossing");
-    else if (*worst->speed_once > 1.1 * estimate.way.speed)
+    else if (*worst->speed_once > 1.1 * estimate.path.speed)
       text += line(". One crossing at %.2g m/s, which still fills the %s, would save %.2g s",
                    *worst->speed_once, worst->name.c_str(), *estimate.crossing_time - slow);
   }
@@ -279,7 +281,7 @@ void add_air_statements(const Estimate& estimate, std::vector<Statement>& said) 
                   *opening.air_escapes, *powder.carrying_flux, ratio, opening.filling_time, kAirSlows) +
              verdict,
          "Darcy 1856, permeability of Carman 1937",
-         "while powder covers the whole mouth; grains of "
+         "while powder covers the whole opening; grains of "
          "one size",
          "not measured; the DEM has no air but in [suction]"});
   }

@@ -15,7 +15,7 @@ std::optional<double> cycle_time(const Scene& scene) {
   std::vector<std::pair<double, double>> busy;
   for (std::size_t k = 0; k < stages.size(); ++k) {
     const Step& step = *stages.steps[k];
-    if (states[k].waits() || (step.tools().empty() && !step.duration())) continue;
+    if (states[k].is_pending() || (step.tools().empty() && !step.duration())) continue;
     busy.emplace_back(states[k].started, std::max(states[k].started, states[k].ended));
   }
   std::sort(busy.begin(), busy.end());

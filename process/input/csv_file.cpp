@@ -37,7 +37,24 @@ std::string remedy(const std::string& cell, bool out_of_range) {
 }
 
 std::string marks(char separator) {
-  return separator == ';' ? "semicolons" : "commas";
+  return separator == ';' ? "semicolons" : separator == '\t' ? "tabs" : "commas";
+}
+
+/// What separates the columns of a table with this heading. Tabs, as in cells copied out of a spreadsheet,
+/// only where nothing else does: they may also stand for blanks.
+char separator_of(const std::string& heading) {
+  for (const char separator : {';', ','})
+    if (heading.find(separator) != std::string::npos) return separator;
+  const std::string_view cells = results::trimmed(heading, " \t\r");
+  return cells.find('\t') != std::string_view::npos ? '\t' : ',';
+}
+
+/// Another separator than `separator` that a line of `cells` cells has; 0 where there is none.
+char other_separator(const std::string& line, char separator, std::size_t cells) {
+  for (const char other : {';', ',', '\t'})
+    if (other != separator && (other != '\t' || cells == 1) && line.find(other) != std::string::npos)
+      return other;
+  return 0;
 }
 
 }  // namespace
@@ -87,7 +104,7 @@ bool CsvFile::next() {
   for (std::string line; next_line(line);) {
     if (line.find_first_not_of(" \t\",;") == std::string::npos) continue;
     if (trimmed_cell(line).front() == '#') continue;
-    if (separator_ == 0) separator_ = line.find(';') != std::string::npos ? ';' : ',';
+    if (separator_ == 0) separator_ = separator_of(line);
     split(line);
     check_count(line);
     return true;
@@ -99,7 +116,7 @@ void CsvFile::split(const std::string& line) {
   cells_.clear();
   starts_.clear();
   for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t first = line.find_first_not_of(" \t", begin);
+    const std::size_t first = line.find_first_not_of(separator_ == '\t' ? " " : " \t", begin);
     std::size_t end = begin;
     if (first != std::string::npos && line[first] == '"') {
       const std::size_t quote = line.find('"', first + 1);
@@ -124,11 +141,11 @@ void CsvFile::check_count(const std::string& line) {
 
 void CsvFile::refuse_count(const std::string& line) const {
   std::string hint;
-  const char other = separator_ == ';' ? ',' : ';';
+  const char other = other_separator(line, separator_, cells_.size());
   const bool whole = std::all_of(cells_.begin(), cells_.end(), [](const std::string& cell) {
     return !cell.empty() && cell.find_first_not_of("+-0123456789") == std::string::npos;
   });
-  if (line.find(other) != std::string::npos)
+  if (other != 0)
     hint = ": the heading separates columns by " + marks(separator_) + ", this line has " + marks(other) +
            "; use one of them throughout, and decimal points";
   else if (separator_ == ',' && whole && cells_.size() > columns_)

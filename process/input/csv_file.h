@@ -21,8 +21,9 @@ struct CsvHeading {
 /// Splits at the bracket, or at the first blank where there is no bracket.
 CsvHeading csv_heading(const std::string& cell);
 
-/// Walks through a table line by line. Commas or semicolons separate cells, whichever the heading has; a cell
-/// in quotes may hold them. Empty lines and lines that begin with # are passed over, and a byte order mark.
+/// Walks through a table line by line. Commas, semicolons or tabs separate cells, whichever the heading has;
+/// a cell in quotes may hold them. Empty lines and lines that begin with # are passed over, and a byte order
+/// mark.
 class CsvFile {
  public:
   /// Throws std::runtime_error as load_text_file() does, and SceneError for text that is not UTF-8. `before`

@@ -38,19 +38,19 @@ bool within(double value, double least, bool above, double most) {
 }
 
 /// Lists longer than any scene's would be gone through for minutes.
-constexpr std::size_t kMostEntries = 1000, kLongestName = 100;
+constexpr std::size_t kMaxEntries = 1000, kLongestName = 100;
 /// Names that a message lists before it says how many more there are.
-constexpr std::size_t kMostListed = 20;
+constexpr std::size_t kMaxListed = 20;
 
 void refuse_long(const toml::array& list, const std::string& where) {
-  if (list.size() <= kMostEntries) return;
+  if (list.size() <= kMaxEntries) return;
   throw SceneError(where + ": found a list of " + std::to_string(list.size()) + ", allowed: up to " +
-                   std::to_string(kMostEntries));
+                   std::to_string(kMaxEntries));
 }
 
 std::string listed(std::vector<std::string> words) {
   for (std::string& word : words) word = '"' + one_line(word) + '"';
-  return results::comma_list(words, kMostListed, " or ");
+  return results::comma_list(words, kMaxListed, " or ");
 }
 
 constexpr std::string_view kAxes = "xyz";
@@ -72,7 +72,8 @@ int TableReader::line() const {
 }
 
 std::string TableReader::full_key(const std::string& key) const {
-  return one_line(path_.empty() ? key : path_ + '.' + key, 120);
+  const std::string shown = key.empty() ? "\"\"" : key;
+  return one_line(path_.empty() ? shown : path_ + '.' + shown, 120);
 }
 
 const toml::node* TableReader::find(const std::string& key) {

@@ -28,8 +28,7 @@ void refuse_unless_regular(const fs::path& file, const TextFileKind& kind) {
     refuse("found no such " + kind.called + " (looked for " +
            fs::absolute(file, error).lexically_normal().string() + ')');
   if (fs::is_directory(status)) refuse("found a folder, expected a " + kind.called);
-  if (!fs::is_regular_file(status))
-    refuse("found a device, pipe or socket, expected a regular file: " + kind.description);
+  if (!fs::is_regular_file(status)) refuse("found a device, pipe or socket, expected a regular file");
 }
 
 }  // namespace

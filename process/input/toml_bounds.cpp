@@ -8,7 +8,7 @@
 namespace diefill::process {
 namespace {
 
-constexpr int kMostDots = 16, kMostBrackets = 16;  // scenes use four of either
+constexpr int kMaxDots = 16, kMaxBrackets = 16;  // scenes use four of either
 
 /// Goes through TOML text without its strings and comments, and counts.
 class NestingCount {
@@ -34,7 +34,7 @@ class NestingCount {
     const std::string three(3, quote);
     if (text_.substr(at_).starts_with(three)) return skip_long_string(three);
     for (++at_; at_ < text_.size() && text_[at_] != '\n'; ++at_) {
-      if (text_[at_] == '\\' && quote == '"') {
+      if (text_[at_] == '\\' && quote == '"' && text_.substr(at_ + 1, 1) != "\n") {
         ++at_;
       } else if (text_[at_] == quote) {
         ++at_;
@@ -44,33 +44,45 @@ class NestingCount {
   }
 
   void skip_long_string(const std::string& three) {
+    const std::size_t begin = at_, first_line = line_;
     at_ += three.size();
     while (at_ < text_.size() && !text_.substr(at_).starts_with(three)) {
+      const bool is_escape = text_[at_] == '\\' && three[0] == '"' && text_.substr(at_ + 1, 1) != "\n";
       if (text_[at_] == '\n') ++line_;
-      at_ += text_[at_] == '\\' && three[0] == '"' ? 2 : 1;
+      at_ += is_escape ? 2 : 1;
     }
+    if (at_ >= text_.size()) refuse_unclosed(three, begin, first_line);
     skip_to(at_ + three.size());
   }
 
   void count(char letter) {
     ++at_;
     if (letter == '.') {
-      if (++dots_ > kMostDots)
-        refuse("a key of more than " + std::to_string(kMostDots) + " parts joined by dots");
+      if (++dots_ > kMaxDots)
+        refuse("a key of more than " + std::to_string(kMaxDots) + " parts joined by dots");
       return;
     }
     if (letter == '\n') {
       ++line_;
       // A bracket left open is a fault of its own, which the parser names.
     } else if (letter == '[' || letter == '{') {
-      if (++brackets_ > kMostBrackets)
-        refuse("brackets nested more than " + std::to_string(kMostBrackets) + " deep");
+      if (++brackets_ > kMaxBrackets)
+        refuse("brackets nested more than " + std::to_string(kMaxBrackets) + " deep");
     } else if (letter == ']' || letter == '}') {
       brackets_ = std::max(0, brackets_ - 1);
     } else if (letter != ',' && letter != '=') {
       return;
     }
     dots_ = 0;
+  }
+
+  /// The parser would name the end of the file, whatever lies between.
+  [[noreturn]] void refuse_unclosed(const std::string& quotes, std::size_t begin, std::size_t line) const {
+    const std::size_t end_before = begin == 0 ? std::string_view::npos : text_.rfind('\n', begin - 1);
+    const std::size_t column = begin - (end_before == std::string_view::npos ? 0 : end_before + 1) + 1;
+    throw SceneError(file_.string() + ':' + std::to_string(line) + ':' + std::to_string(column) + ": found " +
+                     quotes + ", which begin a text that is never closed; write " + quotes +
+                     " where it ends, or one quote on either side of a text in one line");
   }
 
   [[noreturn]] void refuse(const std::string& found) const {

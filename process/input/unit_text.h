@@ -1,6 +1,6 @@
 // The unit of a quantity as it is written, such as "m/s^2" or "Pa s": names of units, powers, products and
 // quotients, and nothing else. The grammar of udunits2 also accepts numbers, origins and logarithms, which
-// would change the value silently, so udunits2 is asked for single names only.
+// would change the value silently, so udunits2 is queried for single names only.
 #pragma once
 
 #include <stdexcept>

@@ -15,9 +15,9 @@ std::optional<Utf8Character> utf8_character(std::string_view text) {
     if ((byte(k) & 0xC0U) != 0x80U) return std::nullopt;
     code = code << 6U | (byte(k) & 0x3FU);
   }
-  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  constexpr std::uint32_t kMin[] = {0, 0, 0x80, 0x800, 0x10000};
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-  if (code < kLeast[length] || code > 0x10FFFF || surrogate) return std::nullopt;
+  if (code < kMin[length] || code > 0x10FFFF || surrogate) return std::nullopt;
   return Utf8Character{code, length};
 }
 

@@ -13,7 +13,7 @@ namespace diefill::process::laboratory {
 struct ExperimentOptions {
   bool quick = false;  ///< small beds and few points
   int threads = 2;
-  TellProgress tell = tell_nobody;
+  ProgressCallback on_progress = ignore_progress;
 };
 
 struct Experiment {
@@ -23,7 +23,7 @@ struct Experiment {
   void (*perform)(const ExperimentOptions& options, results::ExperimentResult& result);
 };
 
-/// Runs it; takes down how much processor time it took.
+/// Runs it and records its processor time.
 results::ExperimentResult perform(const Experiment& experiment, const ExperimentOptions& options);
 
 }  // namespace diefill::process::laboratory

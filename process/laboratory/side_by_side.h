@@ -9,12 +9,12 @@
 
 namespace diefill::process::laboratory {
 
-/// Told the share of a piece that is done, 0 to 1.
-using TellShare = std::function<void(double share)>;
+/// Receives the finished share of a piece, 0 to 1.
+using ShareCallback = std::function<void(double share)>;
 
-/// Calls work(piece, tell) for every piece below `pieces`, on as many threads as the options say, and tells
-/// their user how far all of them are. `doing` says what they are. Throws what work throws.
+/// Calls work(piece, on_progress) for every piece below `pieces`, on as many threads as the options say, and
+/// reports the progress of all to options.on_progress. `doing` names the pieces. Throws what work throws.
 void side_by_side(const ExperimentOptions& options, std::size_t pieces, const std::string& doing,
-                  const std::function<void(std::size_t piece, const TellShare& tell)>& work);
+                  const std::function<void(std::size_t piece, const ShareCallback& on_progress)>& work);
 
 }  // namespace diefill::process::laboratory

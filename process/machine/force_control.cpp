@@ -49,7 +49,7 @@ void ForceControl::pass_targets(ControlState& state, double measured, double now
   state.turned_back = state.coordinate;
 }
 
-double ForceControl::asked_rate(ControlState& state, double measured, double interval) const {
+double ForceControl::requested_rate(ControlState& state, double measured, double interval) const {
   if (targets.empty()) return speed_limit;
   const double target = wanted(state), whole = scale(state);
   if (!(whole > 0)) return 0;
@@ -68,11 +68,11 @@ void ForceControl::update(ControlState& state, double measured, double now, doub
   state.coordinate = state.coordinate_at(now);
   state.since = now;
   if (state.updates++ == 0) state.load = state.last = measured;
-  if (steady) state.steady.look(*steady, state.coordinate, measured, interval);
+  if (steady) state.steady.add(*steady, state.coordinate, measured, interval);
   pass_targets(state, measured, now);
   double least = -back;
   if (targets.empty() || state.passed < targets.size()) {
-    state.rate = asked_rate(state, measured, interval);
+    state.rate = requested_rate(state, measured, interval);
     state.last = measured;
   } else {
     least = std::max(-back, state.turned_back - retreat);

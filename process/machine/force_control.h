@@ -54,7 +54,7 @@ struct ForceControl {
   bool ends_at_travel = false;  ///< over once it has gone that far
   std::optional<SteadyRule> steady;  ///< over once its resistance is steady
 
-  /// Whether it is over at some time without being told.
+  /// Whether it ends without being stopped.
   bool ends_by_itself() const { return pause || ends_at_travel || steady; }
   /// The target that is sought or held; 0 where it moves at a given speed.
   double wanted(const ControlState& state) const;
@@ -74,7 +74,7 @@ struct ForceControl {
  private:
   double scale(const ControlState& state) const;
   void pass_targets(ControlState& state, double measured, double now) const;
-  double asked_rate(ControlState& state, double measured, double interval) const;
+  double requested_rate(ControlState& state, double measured, double interval) const;
 };
 
 /// A tool under force control. Its motion as a function of time, used to see what it can reach, is that

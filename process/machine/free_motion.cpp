@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "process/input/scene_error.h"
+#include "process/machine/motion_limits.h"
 #include "process/machine/moving_tool.h"
 
 namespace diefill::process {
@@ -12,17 +13,18 @@ namespace {
 constexpr QuantityRule kMass = {Dimension::mass, "30 g", "0 kg", "1000 kg", true};
 constexpr QuantityRule kDensity = {Dimension::density, "7200 kg/m^3", "0 kg/m^3", "25000 kg/m^3", true};
 constexpr QuantityRule kVelocity = {Dimension::velocity, "-5 m/s", "-100 m/s", "100 m/s"};
-constexpr QuantityRule kSpin = {Dimension::angular_velocity, "0 rpm", "-60000 rpm", "60000 rpm"};
+constexpr QuantityRule kSpin = {Dimension::angular_velocity, "0 rpm", motion_limits::kFastestTurnBack,
+                                motion_limits::kFastestTurn};
 constexpr QuantityRule kForce = {Dimension::force, "0 N", "-1e6 N", "1e6 N"};
-constexpr QuantityRule kDistance = {Dimension::length, "20 mm", "0 mm", "10 m"};
-constexpr QuantityRule kDuration = {Dimension::time, "0.1 s", "0 s", "1000 s", true};
+constexpr QuantityRule kDistance = {Dimension::length, "20 mm", "0 mm", motion_limits::kFarthest};
+constexpr QuantityRule kDuration = {Dimension::time, "0.1 s", "0 s", motion_limits::kLongest, true};
 constexpr QuantityRule kRecord = {Dimension::time, "1 ms", "0 s", "1000 s", true};
 constexpr NumberRule kRestitution = {0, 1, false, "0"};
 
 void read_stops(TableReader& table, engine::FreeBodySpec& body) {
   std::vector<TableReader> stops = table.tables("stops");
-  if (stops.size() > engine::FreeBodySpec::kMostStops)
-    table.reject("stops", "allowed: at most " + std::to_string(engine::FreeBodySpec::kMostStops) + " stops");
+  if (stops.size() > engine::FreeBodySpec::kMaxStops)
+    table.reject("stops", "allowed: at most " + std::to_string(engine::FreeBodySpec::kMaxStops) + " stops");
   for (TableReader& entry : stops) {
     engine::TravelStop& stop = body.stops[body.stop_count++];
     entry.require("direction", "\"-z\"");

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "process/machine/force_control.h"
+#include "process/machine/motion_limits.h"
 #include "process/machine/moving_tool.h"
 
 namespace diefill::process {
@@ -10,21 +11,22 @@ namespace {
 
 constexpr QuantityRule kForce = {Dimension::force, "5 N", "0 N", "1e6 N", true};
 constexpr QuantityRule kTorque = {Dimension::torque, "0.02 N m", "0 N m", "1e5 N m", true};
-constexpr QuantityRule kSpeed = {Dimension::velocity, "0.02 m/s", "0 m/s", "10 m/s", true};
-constexpr QuantityRule kTurnSpeed = {Dimension::angular_velocity, "60 rpm", "0 rpm", "60000 rpm", true};
-constexpr QuantityRule kTravel = {Dimension::length, "20 mm", "0 mm", "10 m", true};
-constexpr QuantityRule kDuration = {Dimension::time, "1 s", "0 s", "1000 s", true};
+constexpr QuantityRule kSpeed = {Dimension::velocity, "0.02 m/s", "0 m/s", motion_limits::kFastest, true};
+constexpr QuantityRule kTurnSpeed = {Dimension::angular_velocity, "60 rpm", "0 rpm",
+                                     motion_limits::kFastestTurn, true};
+constexpr QuantityRule kTravel = {Dimension::length, "20 mm", "0 mm", motion_limits::kFarthest, true};
+constexpr QuantityRule kDuration = {Dimension::time, "1 s", "0 s", motion_limits::kLongest, true};
 constexpr QuantityRule kIntegralTime = {Dimension::time, "20 ms", "0 s", "100 s", true};
 constexpr NumberRule kGain = {0, 1000, true, "0.5"};
 
 constexpr QuantityRule kPause = {Dimension::time, "10 ms", "0 s", "1000 s"};
 constexpr QuantityRule kTorques = {Dimension::torque, "0.02 N m", "0 N m", "1e5 N m"};
-constexpr QuantityRule kBack = {Dimension::length, "1 mm", "0 mm", "10 m"};
+constexpr QuantityRule kBack = {Dimension::length, "1 mm", "0 mm", motion_limits::kFarthest};
 constexpr QuantityRule kBackTurn = {Dimension::angle, "5 deg", "0 deg", "360 deg"};
 constexpr QuantityRule kTurn = {Dimension::angle, "90 deg", "0 deg", "360000 deg", true};
 constexpr QuantityRule kStretch = {Dimension::angle, "20 deg", "0 deg", "360 deg", true};
 constexpr NumberRule kWithin = {0, 1, true, "0.02"};
-constexpr std::size_t kMostForces = 1000;
+constexpr std::size_t kMaxForces = 1000;
 
 /// What translation and rotation have in common; targets and speed limit are known.
 std::shared_ptr<Step> finished(TableReader& table, const std::vector<std::string>& tools,
@@ -47,8 +49,8 @@ void read_forces(TableReader& table, ForceControl& control) {
   if (table.has("force")) table.reject("force", "forces are given as well; remove one of the two");
   if (table.has("duration")) table.reject("duration", "a step with forces ends by itself; remove the key");
   control.targets = table.quantities("forces", kForce);
-  if (control.targets.size() > kMostForces)
-    table.reject("forces", "allowed: at most " + std::to_string(kMostForces) + " forces");
+  if (control.targets.size() > kMaxForces)
+    table.reject("forces", "allowed: at most " + std::to_string(kMaxForces) + " forces");
   control.pause = table.quantity("pause", kPause).value_or(0);
   control.retreat = table.quantity("retreat", kTravel).value_or(0);
 }
@@ -58,8 +60,8 @@ void read_torques(TableReader& table, ForceControl& control) {
   for (const char* key : {"duration", "angle", "steady"})
     if (table.has(key)) table.reject(key, "a step with torques ends by itself; remove the key");
   control.targets = table.quantities("torques", kTorques);
-  if (control.targets.size() > kMostForces)
-    table.reject("torques", "allowed: at most " + std::to_string(kMostForces) + " torques");
+  if (control.targets.size() > kMaxForces)
+    table.reject("torques", "allowed: at most " + std::to_string(kMaxForces) + " torques");
   control.pause = table.quantity("pause", kPause).value_or(0);
   if (std::count(control.targets.begin(), control.targets.end(), 0.0) > 0 && control.back == 0)
     table.reject("torques",

@@ -8,7 +8,7 @@
 
 namespace diefill::process {
 
-void RingingWatch::look(double share, double now, double longest) {
+void RingingWatch::add(double share, double now, double longest) {
   if (swings > 0 && now - last > longest) *this = {};
   lowest = swings > 0 ? std::min(lowest, share) : share;
   highest = swings > 0 ? std::max(highest, share) : share;
@@ -22,7 +22,7 @@ void RingingWatch::look(double share, double now, double longest) {
 
 void watch_for_ringing(RingingWatch& watch, const ForceControl& control, double target, double measured,
                        double now, const std::string& tools) {
-  watch.look(measured / target, now, control.integral_time);
+  watch.add(measured / target, now, control.integral_time);
   if (!watch.rings()) return;
   char text[400];
   std::snprintf(text, sizeof text,

@@ -5,7 +5,7 @@
 
 namespace diefill::process {
 
-void SteadyWatch::look(const SteadyRule& rule, double coordinate, double resistance, double interval) {
+void SteadyWatch::add(const SteadyRule& rule, double coordinate, double resistance, double interval) {
   sum += resistance * interval;
   lasted += interval;
   if (coordinate - from < rule.over) return;

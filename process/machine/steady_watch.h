@@ -21,7 +21,7 @@ struct SteadyWatch {
   std::uint64_t steady = 0;     ///< 1 once it was steady
 
   /// Adds the mean `resistance` over the last `interval` (s), which ended at `coordinate`.
-  void look(const SteadyRule& rule, double coordinate, double resistance, double interval);
+  void add(const SteadyRule& rule, double coordinate, double resistance, double interval);
 };
 
 }  // namespace diefill::process

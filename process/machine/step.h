@@ -1,6 +1,6 @@
 // One motion or action of the machine: settle, a shoe passage, a vibration, ... A step states its duration
 // and the displacement of its tools as functions of the time since it began, so a restart needs only the
-// times at which it started and was told to stop.
+// times at which it started and was stopped.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -23,7 +23,7 @@ struct ToolMotion {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s, laboratory frame
 };
 
-/// What a step may ask about the scene when it is prepared for a run.
+/// What a step may use of the scene when it is prepared for a run.
 struct MachineContext {
   Eigen::Vector3d cavity_lower = Eigen::Vector3d::Zero(),
                   cavity_upper = Eigen::Vector3d::Zero();  ///< m; empty if equal
@@ -34,7 +34,7 @@ struct MachineContext {
 
 /// What any step of the scene may state besides its kind's own keys.
 struct StepPlan {
-  std::string name;                ///< empty: nobody refers to it
+  std::string name;                ///< empty: it is not referred to
   std::optional<Condition> start;  ///< nothing: when the step before it in the scene has ended
   std::optional<Condition> until;  ///< nothing: as long as it takes by itself
   std::string where;               ///< place in the scene file, for messages
@@ -74,9 +74,9 @@ class Step {
     (void)time;
     return {};
   }
-  /// s that the step needs to come to rest after it is told to stop `stop` s after it began.
+  /// s that the step needs to come to rest after it is stopped `stop` s after it began.
   virtual double stopping_time(double stop) const;
-  /// Motion of a step that was told to stop at `stop` (s since it began). By default it continues along its
+  /// Motion of a step that was stopped at `stop` (s since it began). By default it continues along its
   /// path ever more slowly.
   virtual ToolMotion motion_stopped(double time, double stop) const;
   /// A step under force control, whose path depends on the powder's resistance. Otherwise null.

@@ -18,7 +18,7 @@ void choose_cavity(results::FillResult& result, int number) {
                                 (last == 1 ? "one cavity" : "cavities 1 to " + std::to_string(last)));
   std::swap(result.cavity, result.other_cavities[static_cast<std::size_t>(number) - 2]);
   result.solid_fraction.in_cavity = grains_in_cavity(result.cavity, result.powder);
-  result.summary = worth_giving(summarise(result.powder, result.solid_fraction, result.cavity));
+  result.summary = reliable_summary(summarise(result.powder, result.solid_fraction, result.cavity));
   for (std::string* words : {&result.title, &result.strategy})
     if (!words->empty()) *words += ", cavity " + std::to_string(number);
 }

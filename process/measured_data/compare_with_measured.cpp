@@ -15,13 +15,13 @@ namespace diefill::process {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kFewest = 3;  // points of a correlation
+constexpr std::size_t kMin = 3;  // points of a correlation
 
 using Chosen = std::function<bool(std::size_t)>;
 
 /// Pearson's correlation; NaN where it is not determined.
 double correlation_of(const std::vector<double>& a, const std::vector<double>& b) {
-  if (a.size() < kFewest) return kNone;
+  if (a.size() < kMin) return kNone;
   double mean_a = 0, mean_b = 0, ab = 0, aa = 0, bb = 0;
   const auto count = static_cast<double>(a.size());
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -107,10 +107,11 @@ void add_zones(results::MeasuredComparison& comparison, const results::FillResul
   const bool plan = known(0) && known(1);
   for (const Zone& zone : zones_in(result.scene_text)) {
     const bool round = zone.inner_radius > 0 || std::isfinite(zone.outer_radius);
-    bool told = !round || plan;
+    bool covers_cylinder = !round || plan;
     for (int axis = 0; axis < 3; ++axis)
-      told = told && (known(axis) || (std::isinf(zone.lower[axis]) && std::isinf(zone.upper[axis])));
-    if (!told) continue;
+      covers_cylinder =
+          covers_cylinder && (known(axis) || (std::isinf(zone.lower[axis]) && std::isinf(zone.upper[axis])));
+    if (!covers_cylinder) continue;
     add(comparison, zone.name, [&](std::size_t k) {
       const auto within = [&](const Along& one, double value) {
         if (one.axis < 0) return true;

@@ -26,8 +26,8 @@ class Alarm {
     changed_.notify_all();
     thread_.join();
   }
-  /// From now on it is `seconds` (s) that are left.
-  void put_off(double seconds) {
+  /// Sets the alarm to `seconds` (s) from now.
+  void postpone(double seconds) {
     const std::lock_guard lock(mutex_);
     deadline_ = in(seconds);
     changed_.notify_all();

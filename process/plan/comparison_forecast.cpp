@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <set>
 
-#include "process/plan/kept_pilot.h"
+#include "process/plan/pilot_cache.h"
 #include "process/powder/law_terms.h"
 #include "process/powder/material.h"
 #include "process/run/powder_domain.h"
@@ -21,10 +21,10 @@ struct Prepared {
   Scene scene;
   Tooling tooling;
 
-  Prepared(const Variant& variant, const TellProgress& tell)
+  Prepared(const Variant& variant, const ProgressCallback& on_progress)
       : scene(settled_scene(variant.scene, std::nullopt)),
-        tooling(
-            build_tooling(scene, smallest_sphere(engine_settings(scene, 1.0)), largest_grain(scene), tell)) {
+        tooling(build_tooling(scene, smallest_sphere(engine_settings(scene, 1.0)), largest_grain(scene),
+                              on_progress)) {
     scene = with_prepared_steps(std::move(scene), tooling);
   }
 };
@@ -82,7 +82,7 @@ std::vector<SharedStart> shared_starts_of(const Prepared& variant, const Forecas
     const ScheduleState then = state_at(state.ended, states);
     shared_starts.push_back({start_hash(variant.scene, variant.tooling, frame, then, state.ended),
                              state.ended - states.front().ended,
-                             snapshots.all_to_come(schedule.stages(), then.steps, state.ended)});
+                             snapshots.none_due_before(schedule.stages(), then.steps, state.ended)});
   }
   return shared_starts;
 }
@@ -116,7 +116,7 @@ ComparisonForecast forecast_comparison(const std::vector<Variant>& variants, con
   std::set<std::uint64_t> left;
   if (options.pilot) comparison.wall_seconds = 0;
   for (const Variant& variant : variants) {
-    const Prepared prepared(variant, options.tell);
+    const Prepared prepared(variant, options.on_progress);
     VariantForecast& own = comparison.variants.emplace_back();
     own.name = variant.name;
     RestTimes rest;

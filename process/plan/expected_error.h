@@ -25,7 +25,7 @@ struct SceneLengths {
   bool heap = false;   ///< whether the slope of a heap is measured
 };
 
-/// `opening` (m) comes from estimate/mouth.h.
+/// `opening` (m) comes from estimate/openings.h.
 SceneLengths lengths_of(const Scene& scene, const Tooling& tooling, double opening);
 
 /// The errors to be expected with grains of this diameter (m), up to the coarsest that was run, against

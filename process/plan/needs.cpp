@@ -6,6 +6,7 @@
 #include "engine/limits/time_step.h"
 #include "process/machine/force_control.h"
 #include "process/plan/setting.h"
+#include "process/powder/empty_annulus.h"
 #include "process/powder/material.h"
 #include "process/setup/impact_speed.h"
 
@@ -13,9 +14,6 @@ namespace diefill::process::plan {
 
 namespace {
 
-/// An opening acts as if narrower by this many times the growth of the grains (Bierwisch 2009,
-/// section 3.2.2).
-constexpr double kNarrowing = 1.4;
 constexpr double kSymmetryOverRadius = 0.2;  // as `diefill check` has it
 
 /// Pa: weight of the powder over the deepest place, as if no wall carried any of it.
@@ -59,7 +57,7 @@ Needs needs_of(const Scene& scene, const Tooling& tooling) {
   if (needs.cavity.found && needs.cavity.narrowest_width > 0) {
     needs.coarsest_grain = kCoarsestToDecide * needs.cavity.narrowest_width;
     needs.effective_width =
-        needs.cavity.narrowest_width - kNarrowing * (needs.grain_diameter - needs.calibrated_diameter);
+        needs.cavity.narrowest_width - kEmptyAnnulus * (needs.grain_diameter - needs.calibrated_diameter);
   }
   needs.impact_speed = predicted_impact_speed(scene, tooling);
   const auto settings = engine_settings(scene, needs.impact_speed);

@@ -13,7 +13,7 @@ namespace diefill::process::plan {
 /// Least E~ over the largest pressure: keeps mean overlaps below 0.7 % of d (engine/STABILITY.md, stiffness).
 inline constexpr double kModulusOverPressure = 3000;
 /// Beyond this gamma_n / R damping only shortens the step (engine/STABILITY.md, damping).
-inline constexpr double kMostDamping = 3e6;
+inline constexpr double kMaxDamping = 3e6;
 
 /// Facts about one scene. SI units.
 struct Needs {

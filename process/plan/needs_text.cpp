@@ -81,7 +81,7 @@ void add_stiffness_statement(const Needs& needs, const Scene& scene, std::vector
       line("stiffness: the weight of the powder exerts at most %.3g kPa", 1e-3 * needs.weight_pressure) +
       piston + line(", which requires E~ of %.3g MPa (3000 times as much); ", 1e-6 * needs.least_modulus) +
       verdict);
-  if (needs.damping_over_radius > kMostDamping)
+  if (needs.damping_over_radius > kMaxDamping)
     said.push_back(
         line("damping: gamma_n / R of %.2g Pa s/m is above 3e6, where it only shortens the time step; reduce "
              "powder.damping_over_radius",

@@ -179,7 +179,7 @@ class PilotRun {
     const bool runs_out = kind_ == PhaseKind::rest && !tooling_.cavity.found;
     if (limits_.quick || run.wall_seconds() <= limits_.wall || !motion_seen || runs_out) return false;
     const double may_take = longer_limit(limits_.wall, planned_, tooling_, pilot_);
-    alarm.put_off(may_take - run.wall_seconds() + limits_.wall);
+    alarm.postpone(may_take - run.wall_seconds() + limits_.wall);
     return run.wall_seconds() > may_take;
   }
 

@@ -29,8 +29,8 @@ struct Pilot {
   double fall_time = 0;                        ///< s, that its last grain fell (timeline.h)
   std::size_t spheres = 0;
   double wall_seconds = 0;                  ///< s that it took, others' turns included
-  double processor_share = 1;               ///< of the processor time it asked for, what it got
-  std::string kept_since;                   ///< date and time of the run, where it was not run now
+  double processor_share = 1;               ///< processor time received over that requested
+  std::string cached_since;                 ///< date and time of the run, where it was not run now
   std::array<PhaseCost, kPhaseKinds> cost;  ///< by PhaseKind
   RestTimes rest;                           ///< as found, or as usual where it was not seen
   std::string stopped;                      ///< why it ended early; empty: it did not
@@ -45,7 +45,7 @@ struct Pilot {
 };
 
 /// Runs the scene with as much less and coarser powder (pilot_scene.h) as this machine should manage within
-/// `wall_limit` s, found out by a look of a second, on `threads` threads; up to three times as long where
+/// `wall_limit` s, determined by a trial of a second, on `threads` threads; up to three times as long where
 /// nothing has moved by then or powder still runs out with no cavity to fill; where the scene will take long,
 /// for a thirtieth of that, up to eight times the limit. `tooling` is that of the scene.
 Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double wall_limit);

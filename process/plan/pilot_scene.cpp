@@ -11,9 +11,9 @@ namespace diefill::process::plan {
 namespace {
 
 /// Fewer are not enough for costs to carry over (narrow ring: 800 grains cost as much each as 3,900).
-constexpr std::size_t kFewestGrains = 500;
+constexpr std::size_t kMinGrains = 500;
 /// Less powder than this leaves the tools without what they move.
-constexpr double kLeastPowder = 0.4;
+constexpr double kMinPowder = 0.4;
 /// Over the narrowest width: coarser grains jam, and cannot be what a passage costs.
 constexpr double kCoarsestPilot = 0.75;
 
@@ -42,10 +42,10 @@ Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_step
   pilot.probes.clear();
   // Called for as soon as the poured powder rests and every so often from then on: moments to look at the
   // clock.
-  SnapshotSpec look;
-  look.name = "pilot";
-  look.every = 2e-3;
-  pilot.snapshots = {look};
+  SnapshotSpec snapshot;
+  snapshot.name = "pilot";
+  snapshot.every = 2e-3;
+  pilot.snapshots = {snapshot};
   pilot.numerics.checkpoint_interval = 86400;
   const auto costs_at_most = [&](double limit) { return forecast(pilot, tooling).sphere_steps() <= limit; };
   const auto coarsen_until = [&](double limit) {
@@ -53,7 +53,7 @@ Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_step
     while (!costs_at_most(limit) && pilot.powder.grain_diameter * kFiner <= largest) {
       const Scene before = pilot;
       enlarge(pilot, kFiner);
-      if (forecast(pilot, tooling).grains >= kFewestGrains) continue;
+      if (forecast(pilot, tooling).grains >= kMinGrains) continue;
       pilot = before;
       break;
     }
@@ -63,7 +63,7 @@ Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_step
   // than usual.
   if (!tooling.cavity.found) coarsen_until(sphere_steps / 2);
   if (costs_at_most(sphere_steps)) return pilot;
-  pilot.pour.fill_height = kLeastPowder * scene.pour.fill_height;
+  pilot.pour.fill_height = kMinPowder * scene.pour.fill_height;
   coarsen_until(sphere_steps);
   return pilot;
 }

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "process/plan/kept_pilot.h"
+#include "process/plan/pilot_cache.h"
 #include "process/plan/settle.h"
 #include "process/powder/material.h"
 #include "process/setup/build_tooling.h"
@@ -67,10 +67,10 @@ Plan make_plan(const Scene& scene, const PlanOptions& options) {
   plan.scene = std::move(settled.scene);
   const double sphere = smallest_sphere(engine_settings(plan.scene, 1.0));
   const double grain = largest_grain(plan.scene);
-  if (settled.tooling) refuse_endless(plan.scene);
-  plan.tooling = settled.tooling
-                     ? cover_tooling(plan.scene, std::move(*settled.tooling), sphere, grain, options.tell)
-                     : build_tooling(plan.scene, sphere, grain, options.tell);
+  if (settled.tooling) refuse_excessive_work(plan.scene);
+  plan.tooling = settled.tooling ? cover_tooling(plan.scene, std::move(*settled.tooling), sphere, grain,
+                                                 options.on_progress)
+                                 : build_tooling(plan.scene, sphere, grain, options.on_progress);
   plan.scene = with_prepared_steps(std::move(plan.scene), plan.tooling);
   plan.tooling_seconds = seconds_since(began);
   plan.needs = needs_of(plan.scene, plan.tooling);

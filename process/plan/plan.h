@@ -29,7 +29,7 @@ struct Plan {
   Needs needs;
   std::vector<std::string> statements;  ///< of needs, one a line
   std::optional<Pilot> pilot;
-  double opening = 0;           ///< m, narrowest width of holes through the tools; 0: none, or not looked for
+  double opening = 0;  ///< m, narrowest width of holes through the tools; 0: none, or not searched for
   double tooling_seconds = 0;   ///< s of wall-clock time to read and cover the tools
   std::vector<Choice> choices;  ///< the scene's own, then quick, working, reference
 };
@@ -39,15 +39,15 @@ struct PlanOptions {
   int threads = 2;
   bool pilot = true;             ///< run a pilot; without it wall times are unknown
   double pilot_limit = 15;       ///< s of wall-clock time
-  std::filesystem::path pilots;  ///< folder where pilots are kept (kept_pilot.h); empty: none is
+  std::filesystem::path pilots;  ///< folder where pilots are kept (pilot_cache.h); empty: none is
   bool new_pilot = false;        ///< run it even where one is kept
-  /// Hears of the tools, with the scene on prepared steps, as soon as they are read and before the pilot
+  /// Called with the tools and the scene on prepared steps, as soon as they are read and before the pilot
   /// runs.
   std::function<void(const Scene&, const Tooling&)> tools_ready;
   std::function<void()> pilot_starts;  ///< called before a pilot is run, not where one is kept
-  /// Gives Plan::opening; empty: not looked for.
+  /// Gives Plan::opening; empty: not searched for.
   std::function<double(const Scene&, const Tooling&)> narrowest_opening;
-  TellProgress tell = tell_nobody;  ///< receives the progress of reading tools
+  ProgressCallback on_progress = ignore_progress;  ///< receives the progress of reading tools
 };
 
 /// Reads the tools, runs the pilot, and puts the plan together. Throws as a run of the scene would.

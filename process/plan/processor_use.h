@@ -1,5 +1,5 @@
-// How much of the processors this program got: on a busy machine less than it asked for, and then clocks tell
-// nothing of what the work costs.
+// How much processor time this program received: on a busy machine less than it requested, and then
+// wall-clock times do not measure what the work costs.
 #pragma once
 
 #include <chrono>

@@ -11,6 +11,7 @@
 #include "process/scene/powder_presets.h"
 #include "process/scene/reading/sections.h"
 #include "process/scene/scene_text.h"
+#include "process/setup/impact_speed.h"
 
 namespace diefill::process::plan {
 
@@ -147,6 +148,30 @@ void set_grain_size(toml::table& powder, const std::string& name, double millime
     replace_in(powder, name, "grain_diameter", text, said);
 }
 
+/// s, what the program chooses for grains of this diameter.
+double default_time_step(const Scene& scene, double diameter) {
+  Scene sized = scene;
+  enlarge(sized, diameter / scene.powder.grain_diameter);
+  sized.numerics.time_step.reset();
+  sized.numerics.time_step_fraction = 0;
+  const double fall = scene.pour.upper.z() - scene.pour.lower.z();
+  return engine_settings(sized, expected_impact_speed(sized, fall)).time_step;
+}
+
+/// The published step belongs to the published laws. Other powders may be stiffer or lighter, and then need
+/// the shorter step that the program chooses.
+void choose_time_step(SettingNumbers& numbers, const Scene& scene, double factor) {
+  constexpr double kPublishedStep = 2e-6;  // s at the calibrated size (Bierwisch 2009, Table C.4)
+  const double published = kPublishedStep * factor;
+  if (published <= default_time_step(scene, numbers.grain_diameter)) {
+    numbers.time_step = published;
+    numbers.reasons.push_back(
+        line("time step of %.3g s, the published one scaled with the grain size", published));
+  } else {
+    numbers.reasons.push_back("time step as the program chooses, shorter than the published one");
+  }
+}
+
 /// All powders become coarser by the same factor, so that their grains keep their ratios of size.
 void set_sizes_of_others(toml::table& document, const Scene& scene, double factor,
                          std::vector<std::string>& said) {
@@ -174,12 +199,7 @@ SettingNumbers numbers_of(Setting setting, const Scene& scene, const geometry::C
   const double sphere_radius = factor * scene.powder.sphere_radius;
   if (setting == Setting::quick) numbers.wall_spacing = coarsest_spacing(scene, sphere_radius);
   numbers.reasons.push_back(line("wall spheres spaced %.2g radii apart", numbers.wall_spacing));
-  if (setting == Setting::reference) {
-    constexpr double kPublishedStep = 2e-6;  // s at the calibrated size (Bierwisch 2009, Table C.4)
-    numbers.time_step = kPublishedStep * factor;
-    numbers.reasons.push_back(
-        line("time step of %.3g s, the published one scaled with the grain size", *numbers.time_step));
-  }
+  if (setting == Setting::reference) choose_time_step(numbers, scene, factor);
   choose_fill_height(numbers, setting, scene, cavity);
   return numbers;
 }

@@ -36,8 +36,9 @@ double calibrated_diameter(const PowderSpec& powder);
 SettingNumbers numbers_of(Setting setting, const Scene& scene, const geometry::Cavity& cavity);
 
 /// `scene` with these numbers written into its text and read again, so that all checks hold and a result says
-/// what was run. `origin` names who chose, such as "setting working". What is replaced is said at
-/// the top of the text (process/scene/setting.h). Throws SceneError where the numbers do not suit the scene.
+/// what was run. `origin` names the source of the choice, such as "setting working". What is replaced is said
+/// at the top of the text (process/scene/setting.h). Throws SceneError where the numbers do not suit the
+/// scene.
 Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std::string& origin);
 
 /// The scene as it is to be run: with the numbers of `wanted`, or else of its own setting; unchanged if there

@@ -13,8 +13,8 @@ namespace diefill::process::plan {
 
 namespace {
 
-bool is_on(const StepState& state, double time) {
-  return !state.waits() && state.started <= time && (state.ended < 0 || time < state.ended);
+bool is_active(const StepState& state, double time) {
+  return !state.is_pending() && state.started <= time && (state.ended < 0 || time < state.ended);
 }
 
 /// Grains that the cavities hold when they are full.
@@ -31,14 +31,16 @@ double share_at(double time, const Scene& scene, const Tooling& tooling, const S
   const auto poured = static_cast<double>(grains_to_pour(scene));
   double grains = poured;
   for (std::size_t k = 0; k < stages.size(); ++k) {
-    if (states[k].waits() || states[k].started > time) continue;
+    if (states[k].is_pending() || states[k].started > time) continue;
     const PowderInflow* inflow = stages.steps[k]->inflow();
     const double lasted = std::max(1e-12, states[k].ended - states[k].started);
     if (inflow != nullptr && inflow->mass)
       grains += *inflow->mass / mean_of_inflow(scene, *inflow).mass *
                 std::min(1.0, (time - states[k].started) / lasted);
-    if (stages.steps[k]->removal() != nullptr)
-      grains = std::min(grains, grains_in_cavity(scene, tooling, shape));
+    const PowderRemoval* removal = stages.steps[k]->removal();
+    if (removal == nullptr || removal->above) continue;
+    grains = removal->lowest ? *removal->lowest * grains
+                             : std::min(grains, grains_in_cavity(scene, tooling, shape));
   }
   return grains / poured;
 }
@@ -65,9 +67,9 @@ double fall_time(const Scene& scene, const Tooling&) {
 }
 
 PhaseKind kind_of(const Stages& stages, const std::vector<StepState>& states) {
-  if (states.front().is_on()) return PhaseKind::fall;
+  if (states.front().is_active()) return PhaseKind::fall;
   for (std::size_t k = 0; k < stages.size(); ++k)
-    if (states[k].is_on() && (!stages.steps[k]->tools().empty() || stages.steps[k]->inflow() != nullptr))
+    if (states[k].is_active() && (!stages.steps[k]->tools().empty() || stages.steps[k]->inflow() != nullptr))
       return PhaseKind::motion;
   return PhaseKind::rest;
 }
@@ -88,7 +90,7 @@ std::vector<Phase> timeline(const Scene& scene, const Tooling& tooling, const Re
     const double middle = 0.5 * (times[k] + times[k + 1]);
     std::vector<StepState> now = states;
     for (auto& state : now)
-      if (is_on(state, middle)) state.ended = -1;
+      if (is_active(state, middle)) state.ended = -1;
     const double share = share_at(middle, scene, tooling, stages, states);
     phases.push_back({kind_of(stages, now), times[k + 1] - times[k], share});
   }

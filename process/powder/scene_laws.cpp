@@ -85,7 +85,7 @@ SceneLaws scene_laws(const Scene& scene, double time_step) {
   SceneLaws found = named_laws(scene);
   const auto scaled = [&](laws::LawParameters& law) {
     // Parameters are those of the original grains, whose collisions are shorter.
-    law.rolling.run_in_steps_of(rule_name == kUnscaled ? time_step : time_step / scale);
+    law.rolling.set_time_step(rule_name == kUnscaled ? time_step : time_step / scale);
     if (rule) law = rule->scaled(law, scale);
   };
   scaled(found.grains);

@@ -32,7 +32,7 @@ results::PowderState powder_in_cavity(const results::FillResult& result) {
 }
 
 DensityGrid empty_grid(const results::FillResult& result, double spacing) {
-  constexpr double kMostCells = 2e7;
+  constexpr double kMaxCells = 2e7;
   if (!(result.cavity.volume > 0))
     throw std::invalid_argument("the result has no cavity, over which the grid would stand");
   const double margin = result.powder.largest_diameter();
@@ -41,7 +41,7 @@ DensityGrid empty_grid(const results::FillResult& result, double spacing) {
   const Eigen::Vector3d size =
       result.cavity.upper_corner - result.cavity.lower_corner + Eigen::Vector3d::Constant(2 * margin);
   const Eigen::Vector3d cells = (size / spacing).array().ceil();
-  if (cells.prod() > kMostCells)
+  if (cells.prod() > kMaxCells)
     throw std::invalid_argument("the grid would have more than 20 million cells; choose larger ones");
   grid.cells = cells.cast<int>();
   grid.origin = 0.5 * (result.cavity.lower_corner + result.cavity.upper_corner) - 0.5 * spacing * cells;

@@ -29,7 +29,7 @@ struct ParticleTypes {
 };
 
 /// The powder at one instant. Arrays run over grains (n) unless said otherwise. Where grains are of several
-/// kinds, the four numbers of one grain are those of the grain of mean mass that was asked for.
+/// kinds, the four numbers of one grain are those of the grain of mean mass that was requested.
 struct PowderState {
   double time = 0;                ///< s since the start of the scene
   double grain_diameter = 0;      ///< m, model grain size d (2R, 4R or 6R after the grain model)

@@ -40,9 +40,9 @@ std::vector<std::string> exceeded_text(const FillResult& result) {
   for (const Margin& margin : margins(result)) {
     if (!margin.exceeded()) continue;
     if (margin.name == title_of(figure_called(kEnergy)))
-      lines.push_back("energy balance: " + percent(std::abs(margin.found)) +
-                      " of the energy turned over was " + (margin.found < 0 ? "lost" : "gained") +
-                      " without explanation, above the limit of +-" + percent(margin.limit) +
+      lines.push_back("energy balance: " + percent(std::abs(margin.found)) + " of the energy exchanged was " +
+                      (margin.found < 0 ? "lost" : "gained") + " without explanation, above the limit of +-" +
+                      percent(margin.limit) +
                       ": do not rely on this run; use a shorter time step "
                       "(numerics.time_step_fraction) and compare");
     else

@@ -5,7 +5,7 @@
 
 namespace diefill::results {
 
-void give_no_value(FillResult& result, const std::string& figure, const std::string& reason) {
+void set_no_value(FillResult& result, const std::string& figure, const std::string& reason) {
   result.figures[figure] = std::numeric_limits<double>::quiet_NaN();
   if (reason_for(result, figure).empty()) add_statement(result, kNoValueTopic, figure, reason);
 }

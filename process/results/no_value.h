@@ -11,7 +11,7 @@ namespace diefill::results {
 inline constexpr const char* kNoValueTopic = "no value";
 
 /// Sets a figure to no value (NaN) and stores the reason; an existing reason is kept.
-void give_no_value(FillResult& result, const std::string& figure, const std::string& reason);
+void set_no_value(FillResult& result, const std::string& figure, const std::string& reason);
 
 /// Why `figure` has no value ("solid_fraction" for the summary); empty where no reason is stored.
 std::string reason_for(const FillResult& result, const std::string& figure);

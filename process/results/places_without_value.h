@@ -7,8 +7,8 @@
 
 namespace diefill::results {
 
-/// Both are NaN like that of "no powder", so that whoever averages values leaves all of them out; the last
-/// bits tell them apart, and last in a file.
+/// Both are NaN like that of "no powder", so that averages leave all of them out; the last
+/// bits distinguish them, also in files.
 
 /// Stands where there is powder of which no value is known, as where the cells of all its grains are open.
 inline double unvalued_powder() {

@@ -7,7 +7,7 @@
 namespace diefill::results {
 namespace {
 
-constexpr int kMostDigits = 5;       // of a value whose scatter is far smaller
+constexpr int kMaxDigits = 5;        // of a value whose scatter is far smaller
 constexpr double kRounding = 1e-13;  // of sums, over their value
 
 int exponent_of(double value) {
@@ -24,7 +24,7 @@ int decimals_of_scatter(double scatter) {
 
 int decimals_of_scatter(double scatter, double value) {
   const int decimals = decimals_of_scatter(scatter);
-  return value == 0 ? decimals : std::min(decimals, kMostDigits - 1 - exponent_of(std::abs(value)));
+  return value == 0 ? decimals : std::min(decimals, kMaxDigits - 1 - exponent_of(std::abs(value)));
 }
 
 std::string at_decimals(double value, int decimals) {

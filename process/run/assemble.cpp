@@ -88,7 +88,7 @@ results::CavityState cavity_now(const Scene& scene, const Tooling& tooling, cons
 
 /// Where the die has been left away from its place, what that means for the results.
 std::vector<std::string> moved_die(const DieFrame& frame, const std::string& name) {
-  if (frame.at_home()) return {};
+  if (frame.at_initial_pose()) return {};
   char text[200];
   std::snprintf(text, sizeof text,
                 "tool \"%s\" ended %.3g mm and %.3g deg from its initial position; all positions in the "
@@ -119,7 +119,7 @@ double cycle_time(const Scene& scene, const Schedule& schedule) {
   for (std::size_t k = 0; k < scene.steps.size(); ++k) {
     const StepState& state = schedule.of_step(k);
     const auto duration = scene.steps[k]->duration();
-    if (!state.is_over() || (scene.steps[k]->tools().empty() && !duration)) continue;
+    if (!state.has_ended() || (scene.steps[k]->tools().empty() && !duration)) continue;
     // The schedule notices ends a few time steps late.
     const double end = duration ? std::min(state.ended, state.started + *duration) : state.ended;
     busy.emplace_back(state.started, end);
@@ -156,11 +156,11 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["threads"] = settings.threads;
   if (run.ranks() > 1) figures["ranks"] = run.ranks();
   add_margin_figures(result, run);
-  const double left = copies(tooling) * static_cast<double>(run.grains_left());
+  const double left = copies(tooling) * static_cast<double>(run.grains_removed());
   figures["grains_left"] = left;
   figures["grains_sheared"] = copies(tooling) * static_cast<double>(run.grains_sheared());
   figures["grains_left_share"] = left > 0 ? left / (left + grains + figures["grains_sheared"]) : 0;
-  figures["mass_left_kg"] = copies(tooling) * run.mass_left();
+  figures["mass_left_kg"] = copies(tooling) * run.mass_removed();
   figures["grain_diameter_m"] = result.powder.grain_diameter;
   if (!simulation.types().monodisperse()) {
     figures["smallest_grain_diameter_m"] = smallest_grain(scene);
@@ -237,10 +237,10 @@ results::FillResult powder_and_tools(const Scene& scene, const Tooling& tooling,
   result.powder = powder_state(scene, run.simulation());
   add_images(tooling, result.powder);
   // A die that stands at its place up to rounding is not to blur results.
-  if (!die.at_home()) result.powder = die.powder(std::move(result.powder));
+  if (!die.at_initial_pose()) result.powder = die.powder(std::move(result.powder));
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     const engine::BodyMotion& motion = run.simulation().body_motion(k);
-    result.tools.push_back(tool_state(tooling.tools[k], die.at_home() ? motion : die.pose(motion)));
+    result.tools.push_back(tool_state(tooling.tools[k], die.at_initial_pose() ? motion : die.pose(motion)));
     add_images(tooling, result.tools.back().wall_sphere_centres);
   }
   result.cavity = cavity_now(scene, tooling, run);
@@ -264,7 +264,7 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   for (auto& warning : moved_die(die, tooling.tools[tooling.die].spec.name))
     result.warnings.push_back(std::move(warning));
   result.tool_checks = tool_checks(tooling);
-  result.stages = run.schedule().past();
+  result.stages = run.schedule().completed_stages();
   result.topics = topics(scene, run);
   measure_cavities(result, scene, tooling, wanted_sections(scene));
   for (auto& line : margin_warnings(result)) result.warnings.push_back(std::move(line));

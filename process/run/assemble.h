@@ -12,7 +12,7 @@ std::string program_version();
 /// Powder, tools and cavity as they are now, without fields and figures; of a run under way too.
 results::FillResult powder_and_tools(const Scene& scene, const Tooling& tooling, const FillRun& run);
 
-/// The figures from which results::margins tells how far the run is from the limits of the method.
+/// The figures from which results::margins determines how far the run is from the limits of the method.
 void add_margin_figures(results::FillResult& result, const FillRun& run);
 
 /// Everything about the finished run: powder, tools, fields and figures.

@@ -28,7 +28,7 @@ template <class Io, class Contents>
 void transfer(Io& io, Contents& checkpoint) {
   io(checkpoint.scene_hash);
   io(checkpoint.start_hash);
-  io(checkpoint.grains_left);
+  io(checkpoint.grains_removed);
   io(checkpoint.grains_sheared);
   io(checkpoint.grains_leaked);
   io(checkpoint.wall_seconds);

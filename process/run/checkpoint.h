@@ -25,7 +25,7 @@ struct Checkpoint {
   FreeToolsState free_tools;
   std::vector<SnapshotState> snapshots;
   /// Grains of each type out of the computation: spilled or discharged, and wedged between tools.
-  std::vector<std::uint64_t> grains_left, grains_sheared;
+  std::vector<std::uint64_t> grains_removed, grains_sheared;
   std::uint64_t grains_leaked = 0;         ///< of those that left, beneath the cavity
   double wall_seconds = 0;                 ///< s of computing so far, over all sittings
   std::uint64_t sphere_steps = 0;          ///< spheres times steps so far

@@ -7,6 +7,7 @@
 #include "process/input/units.h"
 #include "process/scene/powder_file.h"
 #include "process/scene/powder_presets.h"
+#include "process/scene/walls_without_effect.h"
 
 namespace diefill::process {
 
@@ -38,6 +39,7 @@ std::vector<std::string> economies_text(const Scene& scene, const engine::Simula
                     " mm from a cavity was moved as a rigid block: " + left_out(simulation, sphere_steps));
   if (const std::string limit = preset_warning(scene.powder); !limit.empty()) lines.push_back(limit);
   if (const std::string other = fitted_with_warning(scene); !other.empty()) lines.push_back(other);
+  for (const std::string& line : walls_without_effect(scene)) lines.push_back(line);
   return lines;
 }
 

@@ -7,13 +7,9 @@
 
 #include "engine/limits/pinched_grains.h"
 #include "process/input/units.h"
-#include "process/machine/actions/clear.h"
-#include "process/measure/cavity_position.h"
-#include "process/powder/changed_scene.h"
 #include "process/powder/material.h"
 #include "process/powder/mixed_powder.h"
-#include "process/powder/random.h"
-#include "process/run/duty_steps.h"
+#include "process/run/check_intervals.h"
 #include "process/run/economies.h"
 #include "process/run/powder_domain.h"
 #include "process/run/suction.h"
@@ -85,47 +81,47 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
 void FillRun::run() {
   start_or_resume();
   ForcedToolWatch forced_tools(scene_, tooling_);
-  while (!schedule_.finished() && !(at_look() && out_of_time())) {
+  while (!schedule_.finished() && !(at_sync_step() && out_of_time())) {
     free_tools_.before_step(*simulation_);
     make_step();
     free_tools_.after_step(*simulation_);
     sphere_steps_ += simulation_->grains().size() * simulation_->types().spheres();
     schedule_.observe(*simulation_);
     probes_.observe(*simulation_);
-    if (simulation_->steps() % kForcedEvery == 0) forced_tools.look(*simulation_);
-    duties();
+    if (simulation_->steps() % kForcedToolInterval == 0) forced_tools.check(*simulation_);
+    do_periodic_tasks();
   }
-  show_contacts();
+  sync_contacts();
   monitor_.check(*simulation_);
   // The run may go on from here, where an unbroken one would not yet look.
   if (!schedule_.finished()) write_checkpoint();
-  look_for_lost_grains();
+  check_for_lost_grains();
   // Kept until the results stand: measuring and drawing can then be tried again without simulating.
   if (schedule_.finished()) write_checkpoint();
 }
 
-void FillRun::duties() {
+void FillRun::do_periodic_tasks() {
   const std::uint64_t step = simulation_->steps();
-  if (step % kPinchEvery == 0 && contacts_are_shown()) shear_off_pinched_grains();
-  if (step % kValidityCheckEvery == 0 && contacts_are_shown()) monitor_.check(*simulation_);
-  if (step % kLostEvery == 0) look_for_lost_grains();
-  if (step % kSpillEvery == 0) let_spilled_grains_go();
+  if (step % kPinchInterval == 0 && contacts_are_synced()) shear_off_pinched_grains();
+  if (step % kValidityInterval == 0 && contacts_are_synced()) monitor_.check(*simulation_);
+  if (step % kLostGrainInterval == 0) check_for_lost_grains();
+  if (step % kSpillInterval == 0) remove_spilled_grains();
   if (scene_.measure.snapshot_interval > 0) keep_instant();
   bool stage_over = false;
   // Before the schedule forgets the loads it has summed.
-  if (step % kScheduleEvery == 0) take_snapshots();
-  if (step % kScheduleEvery == 0) stage_over = schedule_.update(*simulation_);
-  if (step % kScheduleEvery == 0) free_tools_.follow(schedule_, *simulation_);
-  if (stage_over) show_contacts();
+  if (step % kScheduleInterval == 0) take_snapshots();
+  if (step % kScheduleInterval == 0) stage_over = schedule_.update(*simulation_);
+  if (step % kScheduleInterval == 0) free_tools_.follow(schedule_, *simulation_);
+  if (stage_over) sync_contacts();
   if (stage_over) clear_powder();
   if (stage_over) change_powder();
-  if (step % kFeedEvery == 0 && source_.any()) let_powder_in();
+  if (step % kFeedInterval == 0 && source_.any()) feed_powder();
   if (stage_over) {
-    progress_.say("t = " + std::to_string(simulation_->time()) + " s: " + schedule_.description());
-    look_for_lost_grains();
+    progress_.note("t = " + std::to_string(simulation_->time()) + " s: " + schedule_.description());
+    check_for_lost_grains();
   }
-  if (step % kScheduleEvery == 0) show_progress();
-  if (!at_look()) return;
+  if (step % kScheduleInterval == 0) show_progress();
+  if (!at_sync_step()) return;
   if (options_.stop != nullptr && options_.stop->load()) stop_with_checkpoint();
   if (stage_over || seconds_since(last_checkpoint_) > scene_.numerics.checkpoint_interval) write_checkpoint();
   if (stage_over && !schedule_.finished()) save_shared_start();
@@ -137,97 +133,24 @@ std::vector<results::ProbeSeries> FillRun::probes() const {
   return all;
 }
 
-void FillRun::let_spilled_grains_go() {
+void FillRun::remove_spilled_grains() {
   const auto& places = simulation_->grains().position;
   if (std::all_of(places.begin(), places.end(), [&](const auto& place) { return domain_.contains(place); }))
     return;
-  show_contacts();
+  sync_contacts();
   const DieFrame die(simulation_->body_motion(tooling_.die));
   remove_grains([&](const Eigen::Vector3d& position) {
     const bool leaves = !domain_.contains(position);
-    if (leaves) leak_watch_.has_left(die.point(position));
+    if (leaves) leak_watch_.count_removed(die.point(position));
     return leaves;
   });
-  if (const auto news = leak_watch_.news(grains_poured()))
-    progress_.say("warning: by t = " + std::to_string(simulation_->time()) + " s, " + *news);
-}
-
-std::uint64_t FillRun::grains_poured() const {
-  return simulation_->grains().size() + left_.grains() + sheared_.grains();
-}
-
-void FillRun::remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves) {
-  const engine::Grains& grains = simulation_->grains();
-  std::size_t k = 0;
-  simulation_->remove_grains([&](const Eigen::Vector3d& position) {
-    const engine::TypeNumber kind = grains.type_of(k++);
-    const bool gone = leaves(position);
-    if (gone) probes_.count_removed(position, simulation_->types().shape(kind).mass, 1);
-    if (gone) left_.add(kind);
-    return gone;
-  });
-}
-
-void FillRun::let_powder_in() {
-  // Ids count all grains that ever were.
-  const std::uint64_t before = grains_poured();
-  source_.feed(*simulation_, schedule_);
-  const auto& grains = simulation_->grains();
-  for (std::size_t k = 0; k < grains.size(); ++k)
-    if (grains.id[k] >= before) probes_.count_removed(grains.position[k], simulation_->shape_of(k).mass, -1);
-}
-
-void FillRun::clear_powder() {
-  for (std::size_t k = 0; k < scene_.steps.size(); ++k) {
-    const PowderRemoval* removal = scene_.steps[k]->removal();
-    if (removal == nullptr || schedule_.of_step(k).started != simulation_->time()) continue;
-    std::vector<results::CavityState> cavities = {cavity_state(tooling_.cavity)};
-    for (const auto& other : tooling_.other_cavities) cavities.push_back(cavity_state(other));
-    for (auto& cavity : cavities) cavity.upper_corner[2] += removal->heap;
-    const DieFrame die(simulation_->body_motion(tooling_.die));
-    remove_grains([&](const Eigen::Vector3d& place) {
-      return std::none_of(cavities.begin(), cavities.end(), [&](const results::CavityState& cavity) {
-        return lies_in_cavity(cavity, die.point(place));
-      });
-    });
-  }
-}
-
-void FillRun::change_powder() {
-  for (std::size_t k = 0; k < scene_.steps.size(); ++k) {
-    const PowderChange* change = scene_.steps[k]->change();
-    if (change == nullptr || schedule_.of_step(k).started != simulation_->time()) continue;
-    put_changed_laws();
-    if (change->random_velocity > 0) add_random_velocities(change->random_velocity, k);
-  }
-}
-
-/// Gravity and contact laws as the steps that have begun leave them.
-void FillRun::put_changed_laws() {
-  Scene now = scene_;
-  bool changed = false, laws = false;
-  for (std::size_t k = 0; k < scene_.steps.size(); ++k) {
-    const PowderChange* change = scene_.steps[k]->change();
-    if (change == nullptr || schedule_.of_step(k).waits()) continue;
-    now = changed_scene(std::move(now), *change);
-    changed = true;
-    laws = laws || change->changes_laws();
-  }
-  if (!changed) return;
-  simulation_->set_gravity(now.gravity);
-  if (laws) simulation_->set_contact(contact_laws(now, simulation_->settings().time_step));
-}
-
-void FillRun::add_random_velocities(double deviation, std::size_t step) {
-  // Each grain has its own numbers, whatever the order in memory.
-  const std::uint64_t seed = scene_.seed + (static_cast<std::uint64_t>(step) << 32U);
-  simulation_->add_velocities(
-      [&](std::uint64_t id) -> Eigen::Vector3d { return deviation * Random(seed, id).normal_vector(); });
+  if (const auto first_warning = leak_watch_.first_warning(grains_poured()))
+    progress_.note("warning: by t = " + std::to_string(simulation_->time()) + " s, " + *first_warning);
 }
 
 void FillRun::take_snapshots() {
   for (const std::string& name : snapshots_.due(schedule_, *simulation_)) {
-    show_contacts();
+    sync_contacts();
     if (options_.snapshot) options_.snapshot(*this, name);
   }
 }
@@ -283,18 +206,18 @@ void FillRun::keep_instant() {
   instants_.push_back(std::move(instant));
 }
 
-void FillRun::look_for_lost_grains() {
-  auto strayed =
-      lost_grains_.strayed(*simulation_, static_cast<double>(kLostEvery) * simulation_->settings().time_step);
+void FillRun::check_for_lost_grains() {
+  auto strayed = lost_grains_.strayed(
+      *simulation_, static_cast<double>(kLostGrainInterval) * simulation_->settings().time_step);
   if (strayed.empty()) return;
-  show_contacts();
+  sync_contacts();
   // Where tools touch, a grain may have come into two.
   std::sort(strayed.begin(), strayed.end());
   strayed.erase(std::unique(strayed.begin(), strayed.end()), strayed.end());
   for (const std::uint64_t id : strayed) {
     const std::size_t k = place_of(id);
     probes_.count_removed(simulation_->grains().position[k], simulation_->shape_of(k).mass, 1);
-    left_.add(simulation_->grains().type_of(k));
+    removed_.add(simulation_->grains().type_of(k));
   }
   simulation_->remove_grains(strayed);
 }

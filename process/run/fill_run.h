@@ -29,7 +29,7 @@ class FillRun;
 struct RunOptions {
   std::filesystem::path directory;  ///< for checkpoints
   int threads = 2;
-  bool resume = false;  ///< go on from the directory's checkpoint
+  bool resume = false;  ///< resume from the checkpoint in the directory
   /// Where runs store their shared starts (shared_start.h); empty: nowhere.
   std::filesystem::path shared_starts;
   bool show_progress = true;
@@ -39,7 +39,7 @@ struct RunOptions {
   /// Called with the name of every snapshot whose time has come; after a restart possibly once more, in the
   /// same state.
   std::function<void(const FillRun&, const std::string&)> snapshot;
-  /// Called every few steps, to look at the run and change nothing.
+  /// Called every few steps; must not change the run.
   std::function<void(const FillRun&)> watch;
 };
 
@@ -56,7 +56,7 @@ class FillRun {
 
   /// Runs to the end, or until numerics.max_time is over; the state then lies in a checkpoint. Throws
   /// engine::OutOfRange when the method's range is left (the last good checkpoint stands), Interrupted when
-  /// asked to stop.
+  /// stopped by the user.
   void run();
   /// Whether numerics.max_time was over before the scene.
   bool ran_out_of_time() const { return !schedule_.finished() && out_of_time(); }
@@ -67,9 +67,9 @@ class FillRun {
 
   const engine::Simulation& simulation() const { return *simulation_; }
   const Schedule& schedule() const { return schedule_; }
-  /// Grains spilled, discharged or cleared away.
-  std::uint64_t grains_left() const { return left_.grains(); }
-  double mass_left() const { return left_.mass(simulation_->types()); }  ///< kg
+  /// Grains removed: spilled, discharged or cleared away.
+  std::uint64_t grains_removed() const { return removed_.grains(); }
+  double mass_removed() const { return removed_.mass(simulation_->types()); }  ///< kg
   /// Grains wedged between tools that were taken out (NumericsSpec::pinched_grains).
   std::uint64_t grains_sheared() const { return sheared_.grains(); }
   /// Instants kept on the way (measure.snapshot_interval); tools' poses in the laboratory frame.
@@ -86,27 +86,29 @@ class FillRun {
  private:
   void start_or_resume();
   void make_step();
-  std::uint64_t next_look() const;
-  void show_what_is_due();
-  bool at_look() const;
-  void show_contacts();
-  bool contacts_are_shown() const;
+  std::uint64_t next_sync_step() const;
+  void sync_if_due();
+  bool at_sync_step() const;
+  void sync_contacts();
+  bool contacts_are_synced() const;
   std::optional<Checkpoint> own_checkpoint() const;
   std::optional<Checkpoint> shared_start() const;
-  void go_on_from(const Checkpoint& checkpoint);
-  void duties();
-  void let_spilled_grains_go();
+  void resume_from(const Checkpoint& checkpoint);
+  void do_periodic_tasks();
+  void remove_spilled_grains();
   void shear_off_pinched_grains();
   std::string shear_warning() const;
-  void let_powder_in();
+  void feed_powder();
   void clear_powder();
+  void clear_outside_cavities(double heap);
+  std::optional<double> height_of_lowest(double share) const;
   void change_powder();
-  void put_changed_laws();
+  void apply_changed_laws();
   void add_random_velocities(double deviation, std::size_t step);
   std::uint64_t grains_poured() const;
   void remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves);
   void take_snapshots();
-  void look_for_lost_grains();
+  void check_for_lost_grains();
   std::uint64_t steps_between_instants() const;
   void keep_instant();
   Checkpoint checkpoint() const;
@@ -138,7 +140,7 @@ class FillRun {
   geometry::Box domain_;  ///< m, grains beyond it have been spilled or discharged
   std::vector<std::string> warnings_;
   std::vector<results::Instant> instants_;
-  GrainTally left_, sheared_;
+  GrainTally removed_, sheared_;
   std::uint64_t sphere_steps_ = 0;
   double earlier_wall_seconds_ = 0;
   std::chrono::steady_clock::time_point started_, last_checkpoint_;

@@ -9,13 +9,13 @@ namespace diefill::process {
 
 void FillRun::start_or_resume() {
   if (const auto own = own_checkpoint()) {
-    go_on_from(*own);
-    progress_.say("resuming at t = " + std::to_string(simulation_->time()) + " s");
+    resume_from(*own);
+    progress_.note("resuming at t = " + std::to_string(simulation_->time()) + " s");
   } else if (const auto shared = shared_start()) {
-    go_on_from(*shared);
-    progress_.say("the first " + std::to_string(simulation_->time()) + " s are taken from an earlier run");
+    resume_from(*shared);
+    progress_.note("the first " + std::to_string(simulation_->time()) + " s are taken from an earlier run");
   } else if (options_.resume) {
-    progress_.say("no checkpoint in " + options_.directory.string() + ": starting from the beginning");
+    progress_.note("no checkpoint in " + options_.directory.string() + ": starting from the beginning");
   }
 }
 
@@ -37,21 +37,21 @@ std::optional<Checkpoint> FillRun::shared_start() const {
     const double now = other.simulation.time;
     const auto schedule = with_steps(other.schedule, schedule_.stages().size());
     return schedule && other.start_hash == start_hash(*schedule, now) &&
-           snapshots_.all_to_come(schedule_.stages(), schedule->steps, now);
+           snapshots_.none_due_before(schedule_.stages(), schedule->steps, now);
   });
   // Those of the other scene are its own affair, and none of ours has been due.
   if (beginning) beginning->snapshots = snapshots_.state();
   return beginning;
 }
 
-void FillRun::go_on_from(const Checkpoint& checkpoint) {
+void FillRun::resume_from(const Checkpoint& checkpoint) {
   schedule_.begin(*simulation_, checkpoint.schedule);
   probes_.restore(checkpoint.probes);
   snapshots_.restore(checkpoint.snapshots);
-  put_changed_laws();
+  apply_changed_laws();
   free_tools_.restore(checkpoint.free_tools, *simulation_);
   simulation_->restore(checkpoint.simulation);
-  left_ = GrainTally(checkpoint.grains_left);
+  removed_ = GrainTally(checkpoint.grains_removed);
   sheared_ = GrainTally(checkpoint.grains_sheared);
   leak_watch_.restore(checkpoint.grains_leaked);
   earlier_wall_seconds_ = checkpoint.wall_seconds;
@@ -68,7 +68,7 @@ Checkpoint FillRun::checkpoint() const {
   checkpoint.probes = probes_.state();
   checkpoint.free_tools = free_tools_.state();
   checkpoint.snapshots = snapshots_.state();
-  checkpoint.grains_left = left_.by_kind();
+  checkpoint.grains_removed = removed_.by_kind();
   checkpoint.grains_sheared = sheared_.by_kind();
   checkpoint.grains_leaked = leak_watch_.grains();
   checkpoint.wall_seconds = wall_seconds();
@@ -78,7 +78,7 @@ Checkpoint FillRun::checkpoint() const {
 }
 
 bool FillRun::write_checkpoint() {
-  show_contacts();
+  sync_contacts();
   last_checkpoint_ = std::chrono::steady_clock::now();
   return keep([this] { process::write_checkpoint(checkpoint_file(options_.directory), checkpoint()); },
               "no checkpoint written, the previous one is still valid");

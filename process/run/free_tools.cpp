@@ -34,7 +34,7 @@ void FreeTools::after_step(engine::Simulation& simulation) {
 
 void FreeTools::follow(const Schedule& schedule, engine::Simulation& simulation) {
   if (recorded_.empty()) return;
-  bodies_.put_motions(simulation);
+  bodies_.apply_motions(simulation);
   for (const RecordedMotion& motion : recorded_) {
     const StepState& state = schedule.of_step(motion.step);
     if (state.started == simulation.time())

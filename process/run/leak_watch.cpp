@@ -28,7 +28,7 @@ geometry::Box below_cavities(const Tooling& tooling, double grain_diameter) {
 LeakWatch::LeakWatch(const Tooling& tooling, double grain_diameter)
     : tooling_(tooling), below_(below_cavities(tooling, grain_diameter)) {}
 
-void LeakWatch::has_left(const Eigen::Vector3d& place) {
+void LeakWatch::count_removed(const Eigen::Vector3d& place) {
   if (below_.contains(place)) ++grains_;
 }
 
@@ -43,10 +43,10 @@ std::optional<std::string> LeakWatch::warning(std::uint64_t poured) const {
   return text;
 }
 
-std::optional<std::string> LeakWatch::news(std::uint64_t poured) {
-  if (told_) return std::nullopt;
+std::optional<std::string> LeakWatch::first_warning(std::uint64_t poured) {
+  if (warned_) return std::nullopt;
   auto warning = this->warning(poured);
-  told_ = warning.has_value();
+  warned_ = warning.has_value();
   return warning;
 }
 

@@ -16,22 +16,22 @@ class LeakWatch {
   /// `grain_diameter`: m, of the largest grains.
   LeakWatch(const Tooling& tooling, double grain_diameter);
 
-  /// Takes note of a grain that has left at `place` (m, frame of the die); one beside the cavities was
+  /// Counts a grain that was removed at `place` (m, frame of the die); one beside the cavities was
   /// spilled.
-  void has_left(const Eigen::Vector3d& place);
+  void count_removed(const Eigen::Vector3d& place);
   std::uint64_t grains() const { return grains_; }
   void restore(std::uint64_t grains) { grains_ = grains; }
 
   /// The message about `poured` grains in all; nothing for a few stray ones.
   std::optional<std::string> warning(std::uint64_t poured) const;
   /// The same at its first occurrence; nothing from then on.
-  std::optional<std::string> news(std::uint64_t poured);
+  std::optional<std::string> first_warning(std::uint64_t poured);
 
  private:
   const Tooling& tooling_;
   geometry::Box below_;  ///< m, frame of the die; empty without a cavity
   std::uint64_t grains_ = 0;
-  bool told_ = false;
+  bool warned_ = false;
 };
 
 }  // namespace diefill::process

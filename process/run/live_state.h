@@ -1,5 +1,5 @@
-// A run under way in a few numbers, for pages that tell how it goes. Looks only: the run computes the same
-// bits.
+// A run under way in a few numbers, for pages that show its progress. Does not change the run: it computes
+// the same bits.
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr double kMostVoxels = 5e7;  // of a tool, one byte each
+constexpr double kMaxVoxels = 5e7;  // of a tool, one byte each
 
 engine::OutOfRange through_the_wall(const engine::Simulation& simulation, std::size_t k, double depth,
                                     const std::string& tool) {
@@ -32,7 +32,7 @@ LostGrains::LostGrains(const Tooling& tooling, std::vector<double> grain_diamete
   for (const Tool& tool : tooling.tools) {
     const geometry::Box box = tool.mesh.bounding_box();
     // Fine grains in a large tool: rather ask the solid about every grain than fill the memory with voxels.
-    const bool in_voxels = (2 * box.size() / grain_diameter).cwiseMax(1).prod() <= kMostVoxels;
+    const bool in_voxels = (2 * box.size() / grain_diameter).cwiseMax(1).prod() <= kMaxVoxels;
     const auto grid =
         geometry::VoxelGrid::over(box, in_voxels ? 0.5 * grain_diameter : box.size().maxCoeff());
     const std::array<const geometry::Mesh*, 1> meshes = {&tool.mesh};

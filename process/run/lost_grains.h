@@ -28,7 +28,7 @@ class LostGrains {
   struct Inside {
     geometry::SolidQuery solid;
     geometry::VoxelGrid grid;           ///< body frame
-    std::vector<std::uint8_t> blocked;  ///< 1 where a voxel's centre is inside: asked before the solid is;
+    std::vector<std::uint8_t> blocked;  ///< 1 where a voxel's centre is inside: tested before the solid is;
                                         ///< empty for very many voxels
     geometry::PointGrid wall_spheres;   ///< m, centres
     double cover_reach;                 ///< m, covered surface has a centre so near

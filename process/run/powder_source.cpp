@@ -54,13 +54,13 @@ std::size_t PowderSource::feed(engine::Simulation& simulation, Schedule& schedul
   std::size_t all = 0;
   for (const std::size_t k : sources_) {
     const StepState& state = schedule.of_step(k);
-    if (!state.is_on() || state.stop_asked >= 0) continue;
+    if (!state.is_active() || state.stop_requested >= 0) continue;
     const PowderInflow& inflow = *scene_.steps[k]->inflow();
     const std::size_t wanted = owed(inflow, state, simulation);
     if (wanted == 0) continue;
     // Any mixing of the three numbers will do that gives every call its own random numbers.
     const std::uint64_t seed = (scene_.seed * 1000003 + k) * 0x9e3779b97f4a7c15ULL + simulation.steps();
-    const auto grains = placed(inflow, wanted, state.grains_come, seed, simulation);
+    const auto grains = placed(inflow, wanted, state.grains_fed, seed, simulation);
     if (grains.empty()) continue;
     simulation.add_grains(grains);
     schedule.count_inflow(k, grains.size());
@@ -77,7 +77,7 @@ std::size_t PowderSource::owed(const PowderInflow& inflow, const StepState& stat
   const double mass = mean_grain_mass(scene_, inflow, simulation);
   const double room = (inflow.upper - inflow.lower).cwiseMax(2 * shape.bounding_radius()).prod();
   double wanted = room / std::pow(2 * shape.bounding_radius(), 3);
-  const auto come = static_cast<double>(state.grains_come);
+  const auto come = static_cast<double>(state.grains_fed);
   if (inflow.rate)
     wanted = std::min(wanted, *inflow.rate * (simulation.time() - state.started) / mass - come);
   if (inflow.mass) wanted = std::min(wanted, std::ceil(*inflow.mass / mass) - come);

@@ -64,7 +64,7 @@ results::PowderState powder_state(const Scene& scene, const engine::Simulation& 
 results::ContactStress contact_stress(const engine::Simulation& simulation, const DieFrame& die) {
   results::ContactStress stress;
   for (const Eigen::Matrix3d& laboratory : engine::contact_stress_times_volume(simulation)) {
-    const Eigen::Matrix3d tensor = die.at_home() ? laboratory : die.tensor(laboratory);
+    const Eigen::Matrix3d tensor = die.at_initial_pose() ? laboratory : die.tensor(laboratory);
     const Eigen::Matrix3d even = 0.5 * (tensor + tensor.transpose());
     stress.normal.emplace_back(even.diagonal());
     stress.shear.emplace_back(even(1, 2), even(0, 2), even(0, 1));

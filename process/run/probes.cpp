@@ -86,7 +86,7 @@ void Probes::observe(const engine::Simulation& simulation) {
   }
 }
 
-std::uint64_t Probes::next_look(std::uint64_t step, double time_step) const {
+std::uint64_t Probes::next_sync_step(std::uint64_t step, double time_step) const {
   std::uint64_t next = std::numeric_limits<std::uint64_t>::max();
   for (const ProbeSpec& spec : specs_) {
     const std::uint64_t every = steps_between(spec, time_step);
@@ -95,7 +95,7 @@ std::uint64_t Probes::next_look(std::uint64_t step, double time_step) const {
   return next;
 }
 
-bool Probes::looks_at_contacts(std::uint64_t step, double time_step) const {
+bool Probes::needs_contacts(std::uint64_t step, double time_step) const {
   return std::any_of(specs_.begin(), specs_.end(), [&](const ProbeSpec& spec) {
     return spec.quantity == ProbeQuantity::energy && step % steps_between(spec, time_step) == 0;
   });

@@ -35,10 +35,10 @@ class Probes {
   void begin(const engine::Simulation& simulation);
   /// To be called after every time step; adds a row where an interval is over.
   void observe(const engine::Simulation& simulation);
-  /// The first step after `step` with a row for which grains are looked at; far away where there is none.
-  std::uint64_t next_look(std::uint64_t step, double time_step) const;
-  /// Whether one of the rows of `step` looks at contacts.
-  bool looks_at_contacts(std::uint64_t step, double time_step) const;
+  /// The first step after `step` with a row that needs the grains; a very large number where there is none.
+  std::uint64_t next_sync_step(std::uint64_t step, double time_step) const;
+  /// Whether one of the rows of `step` needs contacts.
+  bool needs_contacts(std::uint64_t step, double time_step) const;
   /// kg of grains that are taken out at `position`, or come in (`sign` -1).
   void count_removed(const Eigen::Vector3d& position, double mass, double sign);
 

@@ -38,7 +38,7 @@ void Schedule::begin(engine::Simulation& simulation, const ScheduleState& state)
   state_ = state;
   state_.steps.resize(stages_.size());
   if (needs_loads_) state_.loads.resize(tooling_.tools.size());
-  if (state_.steps.front().waits()) state_.steps.front().started = simulation.time();
+  if (state_.steps.front().is_pending()) state_.steps.front().started = simulation.time();
   set_motions(simulation);
 }
 
@@ -58,9 +58,9 @@ bool Schedule::update(engine::Simulation& simulation) {
   bool changed = false;
   for (std::size_t k = 0; k < stages_.size(); ++k) {
     StepState& state = state_.steps[k];
-    if (state.waits() ? !starts(k, simulation) : !state.is_on() || !ends(k, simulation)) continue;
-    (state.waits() ? state.started : state.ended) = now;
-    if (state.is_over()) {
+    if (state.is_pending() ? !starts(k, simulation) : !state.is_active() || !ends(k, simulation)) continue;
+    (state.is_pending() ? state.started : state.ended) = now;
+    if (state.has_ended()) {
       state.control.coordinate = state.control.coordinate_at(now);
       state.control.rate = 0;
     }
@@ -78,9 +78,9 @@ bool Schedule::update(engine::Simulation& simulation) {
 bool Schedule::starts(std::size_t k, const engine::Simulation& simulation) {
   const auto& start = stages_.steps[k]->plan.start;
   if (start) return holds(*start, state_.steps[k].start, simulation);
-  if (!(stages_.settle_added && k + 1 == stages_.size())) return state_.steps[k - 1].is_over();
+  if (!(stages_.settle_added && k + 1 == stages_.size())) return state_.steps[k - 1].has_ended();
   return std::all_of(state_.steps.begin(), state_.steps.end() - 1,
-                     [](const StepState& state) { return state.is_over(); });
+                     [](const StepState& state) { return state.has_ended(); });
 }
 
 bool Schedule::ends(std::size_t k, const engine::Simulation& simulation) {
@@ -88,8 +88,8 @@ bool Schedule::ends(std::size_t k, const engine::Simulation& simulation) {
   StepState& state = state_.steps[k];
   const double now = simulation.time();
   // Motions go on from where they are at this call, so a stop that is asked for now begins now.
-  if (state.stop_asked < 0 && stops(k, simulation)) state.stop_asked = now;
-  const double stop = state.stop_asked < 0 ? -1 : state.stop_asked - state.started;
+  if (state.stop_requested < 0 && stops(k, simulation)) state.stop_requested = now;
+  const double stop = state.stop_requested < 0 ? -1 : state.stop_requested - state.started;
   return now - state.started >= step_length(step, stop);
 }
 
@@ -97,7 +97,7 @@ bool Schedule::stops(std::size_t k, const engine::Simulation& simulation) {
   const Step& step = *stages_.steps[k];
   StepState& state = state_.steps[k];
   if (const PowderInflow* inflow = step.inflow(); inflow != nullptr && inflow->mass) {
-    const double come = static_cast<double>(state.grains_come) * mean_grain_mass(scene_, *inflow, simulation);
+    const double come = static_cast<double>(state.grains_fed) * mean_grain_mass(scene_, *inflow, simulation);
     if (come >= *inflow->mass) return true;
   }
   if (const ForceControl* law = step.control(); law != nullptr && law->done(state.control)) return true;
@@ -148,7 +148,7 @@ bool Schedule::prescribed_motion_is_on() const {
     return !step.tools().empty() && free_motion_of(step) == nullptr;
   };
   for (std::size_t k = 0; k < stages_.size(); ++k)
-    if (state_.steps[k].is_on() && is_prescribed(*stages_.steps[k])) return true;
+    if (state_.steps[k].is_active() && is_prescribed(*stages_.steps[k])) return true;
   return false;
 }
 
@@ -159,7 +159,7 @@ bool Schedule::control(engine::Simulation& simulation) {
   for (std::size_t k = 0; k < stages_.size(); ++k) {
     const ForceControl* law = stages_.steps[k]->control();
     StepState& state = state_.steps[k];
-    if (law == nullptr || !state.is_on() || state.started >= now || !(interval > 0)) continue;
+    if (law == nullptr || !state.is_active() || state.started >= now || !(interval > 0)) continue;
     const double resistance = mean_resistance(*stages_.steps[k], simulation);
     const double target = law->wanted(state.control);
     law->update(state.control, resistance, now, interval);
@@ -182,25 +182,26 @@ void Schedule::set_motions(engine::Simulation& simulation) {
 
 bool Schedule::finished() const {
   return std::all_of(state_.steps.begin(), state_.steps.end(),
-                     [](const StepState& state) { return state.is_over(); });
+                     [](const StepState& state) { return state.has_ended(); });
 }
 
-std::vector<results::Stage> Schedule::past() const {
-  std::vector<results::Stage> past;
+std::vector<results::Stage> Schedule::completed_stages() const {
+  std::vector<results::Stage> completed_stages;
   for (std::size_t k = 0; k < stages_.size(); ++k) {
     const StepState& state = state_.steps[k];
-    if (!state.is_over()) continue;
+    if (!state.has_ended()) continue;
     std::string tools;
     for (const auto& tool : stages_.steps[k]->tools()) tools += (tools.empty() ? "" : ", ") + tool;
-    past.push_back({tools, stages_.steps[k]->description(), state.started, state.ended});
+    completed_stages.push_back({tools, stages_.steps[k]->description(), state.started, state.ended});
   }
-  return past;
+  return completed_stages;
 }
 
 std::string Schedule::description() const {
   std::string words;
   for (std::size_t k = 0; k < stages_.size(); ++k)
-    if (state_.steps[k].is_on()) words += (words.empty() ? "" : " and ") + stages_.steps[k]->description();
+    if (state_.steps[k].is_active())
+      words += (words.empty() ? "" : " and ") + stages_.steps[k]->description();
   return !words.empty() ? words : finished() ? "done" : "waiting for the next step";
 }
 
@@ -209,9 +210,9 @@ double Schedule::time_left(double now, double settling_time) const {
   // A step that has begun or ended shifts everything predicted after it by as much.
   double shift = 0, end = 0;
   for (std::size_t k = 0; k < stages_.size(); ++k) {
-    if (!state_.steps[k].waits()) shift = state_.steps[k].started - plan[k].started;
-    if (state_.steps[k].is_over()) shift = state_.steps[k].ended - plan[k].ended;
-    if (!state_.steps[k].is_over()) end = std::max(end, plan[k].ended);
+    if (!state_.steps[k].is_pending()) shift = state_.steps[k].started - plan[k].started;
+    if (state_.steps[k].has_ended()) shift = state_.steps[k].ended - plan[k].ended;
+    if (!state_.steps[k].has_ended()) end = std::max(end, plan[k].ended);
   }
   return std::max(0.0, end + shift - now);
 }

@@ -22,7 +22,7 @@ struct LoadSum {
 /// All that a restart needs of a schedule.
 struct ScheduleState {
   std::vector<StepState> steps;
-  std::vector<LoadSum> loads;      ///< one a tool; empty where nobody asks
+  std::vector<LoadSum> loads;      ///< one a tool; empty where not needed
   std::uint64_t loads_summed = 0;  ///< time steps
   double last_update = 0;          ///< s
 };
@@ -36,7 +36,7 @@ class Schedule {
   Schedule(const Schedule&) = delete;
   Schedule& operator=(const Schedule&) = delete;
 
-  /// Starts the first step, or goes on with `state`; gives the simulation's bodies (in the order of the
+  /// Starts the first step, or resumes with `state`; gives the simulation's bodies (in the order of the
   /// tools) their motions, which refer to this schedule.
   void begin(engine::Simulation& simulation, const ScheduleState& state = {});
   /// To be called after every time step: sums the loads on tools, where a step or condition asks for them.
@@ -48,14 +48,14 @@ class Schedule {
   bool holds(const Condition& condition, ConditionState& watch, const engine::Simulation& simulation) const;
 
   /// Steps that are over, each with its tools and its time.
-  std::vector<results::Stage> past() const;
+  std::vector<results::Stage> completed_stages() const;
   bool finished() const;
   const ScheduleState& state() const { return state_; }
   const Stages& stages() const { return stages_; }
   /// Of the scene's step k (from 0).
   const StepState& of_step(std::size_t k) const { return state_.steps[k + 1]; }
   /// Counts grains that step k of the scene fed.
-  void count_inflow(std::size_t k, std::size_t grains) { state_.steps[k + 1].grains_come += grains; }
+  void count_inflow(std::size_t k, std::size_t grains) { state_.steps[k + 1].grains_fed += grains; }
 
   /// The active steps as text; "done" after the last.
   std::string description() const;

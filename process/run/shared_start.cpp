@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 /// Whether the step can have touched the powder by `now`. Tools stand where they were at the instant a motion
 /// begins; powder comes in or is cleared away at once.
 bool has_acted(const Step& step, const StepState& state, double now) {
-  if (state.waits()) return false;
+  if (state.is_pending()) return false;
   return state.started < now || step.inflow() != nullptr || step.removal() != nullptr ||
          step.change() != nullptr;
 }
@@ -45,7 +45,7 @@ void drop_last_without_plan(toml::array& steps) {
 
 /// The scene's text without what has no part in the run so far.
 std::string text_so_far(const Scene& scene, const ScheduleState& schedule, double now) {
-  toml::table document = acting_document(scene.text, scene.file);
+  toml::table document = relevant_document(scene.text, scene.file);
   document.erase("snapshot");
   for (std::size_t k = 0; k < scene.steps.size(); ++k) {
     toml::table& step = *document["step"][k].as_table();
@@ -99,7 +99,7 @@ void save_shared_start(const fs::path& directory, const Checkpoint& checkpoint) 
 
 std::optional<ScheduleState> with_steps(ScheduleState schedule, std::size_t count) {
   for (std::size_t k = count; k < schedule.steps.size(); ++k)
-    if (!schedule.steps[k].waits()) return std::nullopt;
+    if (!schedule.steps[k].is_pending()) return std::nullopt;
   schedule.steps.resize(count);
   return schedule;
 }

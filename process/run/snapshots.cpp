@@ -33,7 +33,7 @@ std::vector<std::string> Snapshots::due(const Schedule& schedule, const engine::
   return names;
 }
 
-bool Snapshots::all_to_come(const Stages& stages, const std::vector<StepState>& steps, double now) const {
+bool Snapshots::none_due_before(const Stages& stages, const std::vector<StepState>& steps, double now) const {
   return std::none_of(specs_.begin(), specs_.end(), [&](const SnapshotSpec& spec) {
     const auto since = counts_from(spec.when.value_or(Condition{}), stages, steps);
     return since && *since < now;

@@ -24,7 +24,7 @@ class Snapshots {
   std::vector<std::string> due(const Schedule& schedule, const engine::Simulation& simulation);
 
   /// True if none has been due, or watched for, before `now` (s) in a run whose steps stand like this.
-  bool all_to_come(const Stages& stages, const std::vector<StepState>& steps, double now) const;
+  bool none_due_before(const Stages& stages, const std::vector<StepState>& steps, double now) const;
 
   const std::vector<SnapshotState>& state() const { return states_; }
   void restore(const std::vector<SnapshotState>& state) { states_ = state; }

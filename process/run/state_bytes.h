@@ -39,7 +39,7 @@ void transfer_simulation(Io& io, State& simulation) {
   io(simulation.next_id);
   io(simulation.overlap);
   io(simulation.sleep.asleep);
-  io(simulation.sleep.looks);
+  io(simulation.sleep.checks);
   io(simulation.sleep.force);
   io(simulation.sleep.place);
   io(simulation.sleep.sphere_steps_left_out);

@@ -9,7 +9,7 @@ namespace diefill::process {
 namespace {
 
 /// Share of the air's speed that a grain may take on in one step: well below the 2 at which it swings up.
-constexpr double kMostTakenAlong = 0.2;
+constexpr double kMaxTakenAlong = 0.2;
 
 [[noreturn]] void refuse_fine_particles(const Scene& scene, double taken_along) {
   char text[240];
@@ -18,7 +18,7 @@ constexpr double kMostTakenAlong = 0.2;
       ": suction.particle_diameter: found %.3g mm: air barely passes such fine powder, and grains would take "
       "on %.2g of its speed in one time step, allowed: at most %.2g; make it larger or the time step "
       "shorter",
-      1e3 * scene.suction->particle_diameter, taken_along, kMostTakenAlong);
+      1e3 * scene.suction->particle_diameter, taken_along, kMaxTakenAlong);
   throw SceneError(scene.file.string() + text);
 }
 
@@ -50,7 +50,7 @@ std::optional<engine::AirFlow> air_flow_of(const Scene& scene, const Tooling& to
     flow.resistance.push_back(suction.viscosity / permeability(suction.particle_diameter, fraction) *
                               type.shape.solid_volume / fraction);
     const double taken_along = flow.resistance.back() * settings.time_step / type.shape.mass;
-    if (taken_along > kMostTakenAlong) refuse_fine_particles(scene, taken_along);
+    if (taken_along > kMaxTakenAlong) refuse_fine_particles(scene, taken_along);
   }
   return flow;
 }

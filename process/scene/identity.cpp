@@ -4,6 +4,7 @@
 
 #include "engine/numerics/fnv1a.h"
 #include "process/results/storage/file_contents.h"
+#include "process/results/storage/hash_text.h"
 #include "process/scene/scene_text.h"
 
 namespace diefill::process {
@@ -16,31 +17,27 @@ std::string bytes_of(const std::filesystem::path& file) {
   return results::contents_or_nothing(file).value_or("");
 }
 
-/// Of the files of clumps' spheres, of placed grains, of the state that powder begins with, and of the tables
-/// that steps follow, in the order of the steps.
-void add_referred_files(engine::Fnv1a& hash, const toml::table& document, const std::filesystem::path& file) {
-  if (const auto spheres = document["powder"]["spheres_file"].value<std::string>())
-    hash.add(bytes_of(file.parent_path() / *spheres));
+/// The files of clumps' spheres, of placed grains, of the state that powder begins with, and the tables that
+/// steps follow, in the order of the steps; as the scene names them.
+std::vector<std::string> referred_names(const toml::table& document) {
+  std::vector<std::string> names;
+  const auto take = [&](toml::node_view<const toml::node> node, const char* key, const char* behind) {
+    if (const auto name = node[key].value<std::string>()) names.push_back(*name + behind);
+  };
+  take(document["powder"], "spheres_file", "");
   if (const toml::array* others = document["other_powder"].as_array())
     for (const toml::node& other : *others)
-      if (const auto spheres = toml::node_view(other)["spheres_file"].value<std::string>())
-        hash.add(bytes_of(file.parent_path() / *spheres));
-  if (const auto grains = document["pour"]["grains_file"].value<std::string>())
-    hash.add(bytes_of(file.parent_path() / *grains));
-  if (const auto state = document["pour"]["state"].value<std::string>())
-    hash.add(bytes_of(file.parent_path() / *state / "results.h5"));
-  const toml::array* steps = document["step"].as_array();
-  if (steps == nullptr) return;
-  for (const toml::node& step : *steps) {
-    const toml::table* table = step.as_table();
-    const auto name = table == nullptr ? std::nullopt : (*table)["file"].value<std::string>();
-    if (name) hash.add(bytes_of(file.parent_path() / *name));
-  }
+      take(toml::node_view<const toml::node>(other), "spheres_file", "");
+  take(document["pour"], "grains_file", "");
+  take(document["pour"], "state", "/results.h5");
+  if (const toml::array* steps = document["step"].as_array())
+    for (const toml::node& step : *steps) take(toml::node_view<const toml::node>(step), "file", "");
+  return names;
 }
 
 }  // namespace
 
-toml::table acting_document(const std::string& text, const std::filesystem::path& file) {
+toml::table relevant_document(const std::string& text, const std::filesystem::path& file) {
   toml::table document = parse_scene_text(text, file);
   document.erase("title");
   document.erase("variant");
@@ -54,12 +51,22 @@ toml::table acting_document(const std::string& text, const std::filesystem::path
 
 std::uint64_t scene_identity(const std::string& text, const std::filesystem::path& file,
                              const std::vector<std::string>& tool_hashes) {
-  const toml::table document = acting_document(text, file);
+  const toml::table document = relevant_document(text, file);
   engine::Fnv1a hash;
   hash.add(scene_text_of(document));
   for (const std::string& tool : tool_hashes) hash.add(tool);
-  add_referred_files(hash, document, file);
+  for (const std::string& name : referred_names(document)) hash.add(bytes_of(file.parent_path() / name));
   return hash.value();
+}
+
+std::vector<InputFile> input_files(const std::string& text, const std::filesystem::path& file) {
+  std::vector<InputFile> files;
+  for (const std::string& name : referred_names(relevant_document(text, file))) {
+    engine::Fnv1a hash;
+    hash.add(bytes_of(file.parent_path() / name));
+    files.push_back({name, results::hash_text(hash.value())});
+  }
+  return files;
 }
 
 }  // namespace diefill::process

@@ -20,6 +20,7 @@ namespace {
 constexpr QuantityRule kLength = {Dimension::length, "1.88 mm", "0 mm", "100 mm", true};
 constexpr QuantityRule kModulus = {Dimension::pressure, "10 MPa", "1e4 Pa", "1e12 Pa"};
 constexpr double kSame = 1e-3;  // relative: what rounding in a file makes of a number
+constexpr std::array<const char*, 3> kSections = {"powder", "walls", "contact"};  // of a powder file
 constexpr std::array<const char*, 4> kMakeAnother = {"preset", "model", "sphere_radius", "grain_mass"};
 
 /// Number of [contact], by which another one is told; empty where the document has none.
@@ -35,6 +36,9 @@ std::string contact_number(const toml::table& document) {
 void check(const toml::table& parsed, const std::filesystem::path& file) {
   TableReader document(parsed, file, "");
   TableReader table = document.required_table("powder");
+  if (table.has("file"))
+    table.reject("file",
+                 "a powder file gives the powder itself and names no other file; name that one in the scene");
   read_coarse_graining(table);
   const PowderSpec powder = read_powder(table);
   const auto given = document.table("walls");
@@ -58,6 +62,13 @@ void leave_to_setting(toml::table& from_file) {
   if (toml::table* walls = from_file["walls"].as_table()) walls->erase("spacing");
 }
 
+/// Throws SceneError where one of the scene's own sections is no table: a file's cannot be laid below it.
+void refuse_other_than_tables(const toml::table& document, const std::filesystem::path& file) {
+  TableReader reader(document, file, "");
+  for (const char* key : kSections) reader.table(key);
+}
+
+/// Of a document whose sections are tables.
 toml::table& table_in(toml::table& document, const char* key) {
   if (!document.contains(key)) document.insert(key, toml::table{});
   return *document[key].as_table();
@@ -74,7 +85,8 @@ void add(std::string& words, const std::string& what, double now, double then, c
 
 }  // namespace
 
-bool take_powder_file(toml::table& document, const std::filesystem::path& scene_file) {
+bool merge_powder_file(toml::table& document, const std::filesystem::path& scene_file) {
+  refuse_other_than_tables(document, scene_file);
   toml::table* powder = document["powder"].as_table();
   if (powder == nullptr || !powder->contains("file")) return false;
   TableReader reader(*powder, scene_file, "powder");

@@ -17,7 +17,7 @@ namespace diefill::process {
 /// and [walls] that the document does not give itself, and [contact] where it has none. Returns whether there
 /// was one; the document then stands alone. Throws SceneError for a file that is missing or wrong, and for
 /// keys that would make another powder of it.
-bool take_powder_file(toml::table& document, const std::filesystem::path& scene_file);
+bool merge_powder_file(toml::table& document, const std::filesystem::path& scene_file);
 
 /// What a calibrated powder's parameters belong to: they are worth less with other walls or stiffness.
 struct FittedWith {

@@ -10,7 +10,7 @@
 
 namespace diefill::process {
 
-/// The grains of that run's end below the cut; the text of its scene and its tools are left aside. Throws
+/// The grains of that run's end below the cut; the text of its scene and its tools are ignored. Throws
 /// results::ResultError where the directory has no results or they are damaged.
 results::PowderState powder_of(const SavedState& state);
 

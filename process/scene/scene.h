@@ -133,7 +133,7 @@ struct MeasureSpec {
   std::vector<HeapSpec> heaps;
 };
 
-/// A value: copies are independent. They share `contact` and the steps, which nobody changes; steps that
+/// A value: copies are independent. They share `contact` and the steps, which are never changed; steps that
 /// depend on the tools are prepared for a run in a copy (with_prepared_steps()).
 struct Scene {
   std::filesystem::path file;

@@ -9,7 +9,7 @@
 
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
-#include "process/input/syntax_remedy.h"
+#include "process/input/syntax_hint.h"
 #include "process/input/text_encoding.h"
 #include "process/input/text_file.h"
 #include "process/input/toml_bounds.h"
@@ -26,7 +26,7 @@ std::string line_of(const std::string& text, std::size_t number) {
     if (start == std::string::npos) return {};
     ++start;
   }
-  const std::size_t end = text.find('\n', start);
+  const std::size_t end = text.find_first_of("\r\n", start);
   std::string line = text.substr(start, end == std::string::npos ? end : end - start);
   const std::size_t first = line.find_first_not_of(" \t\r");
   return first == std::string::npos ? std::string()
@@ -60,7 +60,7 @@ toml::table parsed(const std::string& text, const std::filesystem::path& file, c
     const std::string reason = one_line(error.description(), 200);
     throw SceneError(file.string() + ':' + std::to_string(at.line) + ':' + std::to_string(at.column) +
                      ": found `" + one_line(line) + "`, which is not valid TOML: " + reason +
-                     syntax_remedy(line, reason));
+                     syntax_hint(line, reason));
   }
 }
 

@@ -27,7 +27,7 @@ PourSpec read_pour_without_height(TableReader table, const Scene& scene);
 /// The setting that the scene's text names. It is to be turned into numbers before anything runs.
 std::optional<Setting> setting_of(const Scene& scene);
 
-/// Comment lines at the top of a scene whose numbers were chosen: who chose them, then what.
+/// Comment lines at the top of a scene whose numbers were chosen: the source of the choice, then what.
 std::string as_comment(const std::vector<std::string>& chosen);
 /// The same read from a scene's text; empty where nothing was chosen.
 std::vector<std::string> chosen_in(const std::string& text);

@@ -36,7 +36,7 @@ struct SceneChanges {
 };
 
 /// The scene in `text` (`file` stands in messages and resolves relative paths) with the changes, read and
-/// checked in full; its variants are left aside. Its `text` is a scene file of its own. Throws SceneError;
+/// checked in full; its variants are ignored. Its `text` is a scene file of its own. Throws SceneError;
 /// faults of the changes name `changes.called` and which line of `changes.set` it is.
 Scene changed_scene(const std::string& text, const std::filesystem::path& file, const SceneChanges& changes);
 

@@ -87,10 +87,10 @@ std::vector<Zone> read_zones(TableReader& measure) {
     const auto same = [&](const Zone& other) {
       return zone_mass_figure(other.name) == zone_mass_figure(zone.name);
     };
-    if (std::any_of(zones.begin(), zones.end(), same))
-      table.reject(
-          "name",
-          "an earlier zone has a name of the same letters and digits; give each zone a name of its own");
+    const auto taken = std::find_if(zones.begin(), zones.end(), same);
+    if (taken != zones.end())
+      table.reject("name", "an earlier zone has a name of the same letters and digits, \"" + taken->name +
+                               "\"; give each zone a name of its own");
     zones.push_back(std::move(zone));
   }
   return zones;

@@ -61,13 +61,13 @@ geometry::WallSpheres spheres_of(const Scene& scene, const Tool& tool, double gr
 /// The tool's wall spheres; complaints about its geometry name the tool.
 geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_diameter,
                             decltype(geometry::WallSphereOptions::reachable) reachable,
-                            decltype(geometry::WallSphereOptions::tell) tell) {
+                            decltype(geometry::WallSphereOptions::on_progress) on_progress) {
   const std::string where = tool_text(scene, tool.spec);
   geometry::WallSphereOptions options;
   options.radius = wall_sphere_radius(scene, tool.spec);
   options.spacing = tool.spec.spacing.value_or(scene.walls.spacing);
   options.reachable = std::move(reachable);
-  options.tell = std::move(tell);
+  options.on_progress = std::move(on_progress);
   try {
     auto spheres = spheres_of(scene, tool, grain_diameter, options, where);
     if (scene.numerics.opening == OpeningMeasure::centres) move_to_surface(spheres, tool.solid());
@@ -100,15 +100,15 @@ void refuse_leaks(const Scene& scene, const Tool& tool, double smallest_radius) 
 }  // namespace
 
 Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter,
-                      const TellProgress& tell) {
-  refuse_endless(scene);
-  return cover_tooling(scene, read_tooling(scene, tell), smallest_radius, grain_diameter, tell);
+                      const ProgressCallback& on_progress) {
+  refuse_excessive_work(scene);
+  return cover_tooling(scene, read_tooling(scene, on_progress), smallest_radius, grain_diameter, on_progress);
 }
 
 Tooling cover_tooling(const Scene& as_read, Tooling tooling, double smallest_radius, double grain_diameter,
-                      const TellProgress& tell) {
+                      const ProgressCallback& on_progress) {
   const Scene scene = with_prepared_steps(as_read, tooling);
-  tell(kToolsFit, "finding surfaces that powder can reach");
+  on_progress(kToolsFit, "finding surfaces that powder can reach");
   const ReachableSurface reachable(scene, tooling, grain_diameter);
   const auto needs_wall = [&](std::size_t tool, const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     return !scene.economy.skip_far_walls || reachable(tool, point, normal);
@@ -131,7 +131,7 @@ Tooling cover_tooling(const Scene& as_read, Tooling tooling, double smallest_rad
     }));
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     Tool& tool = tooling.tools[k];
-    tool.spheres = progress.wait_for(k, covered[k], kReachKnown, tell);
+    tool.spheres = progress.wait_for(k, covered[k], kReachKnown, on_progress);
     if (is_mesh(scene, tool.spec))
       tool.wall_mesh = wall_mesh(scene, tool, grain_diameter);
     else

@@ -7,9 +7,9 @@ namespace diefill::process {
 
 /// Reads and examines the tools, settles what the scene's steps leave to the geometry (Tooling::steps), and
 /// covers what powder can reach with wall spheres. `smallest_radius` (m) is that of the powder's spheres: a
-/// wall it could pass is refused. `tell` hears how far this is, which takes long for tools of millions of
-/// triangles. Throws SceneError or geometry::MeshError for tools that cannot be used.
+/// wall it could pass is refused. `on_progress` receives the progress, which takes long for tools of millions
+/// of triangles. Throws SceneError or geometry::MeshError for tools that cannot be used.
 Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter,
-                      const TellProgress& tell = tell_nobody);
+                      const ProgressCallback& on_progress = ignore_progress);
 
 }  // namespace diefill::process

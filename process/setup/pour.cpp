@@ -50,12 +50,12 @@ Lattice lattice_of(const Scene& scene, double d, double constant) {
     const double length = pour.upper[axis] - pour.lower[axis];
     // A periodic box is filled to its borders, any other only as far as a grain stays inside.
     const bool open = scene.numerics.period[static_cast<std::size_t>(axis)].has_value();
-    const double room = open ? length - lattice.constant : length - 2 * clear;
-    if (room < 0)
+    const double free_space = open ? length - lattice.constant : length - 2 * clear;
+    if (free_space < 0)
       throw SceneError(
           scene.file.string() + ":" + std::to_string(pour.line) +
           ": pour: the box is narrower than a grain with its random offset; widen it or use smaller grains");
-    const double sites = std::floor(room / lattice.constant + 1e-9) + 1;
+    const double sites = std::floor(free_space / lattice.constant + 1e-9) + 1;
     lattice.across[static_cast<std::size_t>(axis)] = static_cast<std::size_t>(sites);
     lattice.first[axis] = 0.5 * (pour.lower[axis] + pour.upper[axis]) - 0.5 * (sites - 1) * lattice.constant;
   }
@@ -92,10 +92,10 @@ PourColumns columns_of(const Scene& scene, const engine::SimulationSettings& set
   return columns;
 }
 
-/// Tells places in the powder from places that tools take up.
-class Room {
+/// Space that no tool takes up.
+class FreeSpace {
  public:
-  explicit Room(const Tooling& tooling) {
+  explicit FreeSpace(const Tooling& tooling) {
     for (const Tool& tool : tooling.tools) solids_.push_back(tool.solid());
   }
   /// Whether a grain of `radius` (m) can stand at `place` (m).
@@ -125,14 +125,14 @@ engine::NewGrain grain_at(const Eigen::Vector3d& site, const Scene& scene, const
 std::vector<engine::NewGrain> stack_around_tools(const Scene& scene, const engine::GrainShape& shape,
                                                  const Tooling& tooling, std::size_t count) {
   const Lattice lattice = lattice_of(scene, shape);
-  const Room room(tooling);
+  const FreeSpace free_space(tooling);
   const double radius = shape.bounding_radius();
   // Above all tools every site is free, so that the stack ends.
   Random random(scene.seed);
   std::vector<engine::NewGrain> grains;
   for (std::size_t n = 0; grains.size() < count; ++n) {
     const auto grain = grain_at(lattice.site(n), scene, shape, random);
-    if (room.at(grain.position, radius)) grains.push_back(grain);
+    if (free_space.at(grain.position, radius)) grains.push_back(grain);
   }
   refuse_lid(scene, tooling, grains, lattice.constant);
   return grains;
@@ -145,9 +145,9 @@ std::vector<engine::NewGrain> pour_kinds(const Scene& scene, const engine::Simul
     return grain_at(site, scene, shape, random);
   };
   const bool around = scene.pour.around_tools;
-  const Room room(tooling);
+  const FreeSpace free_space(tooling);
   const auto has_room = [&](const engine::NewGrain& grain, const engine::GrainShape& shape) {
-    return !around || room.at(grain.position, shape.bounding_radius());
+    return !around || free_space.at(grain.position, shape.bounding_radius());
   };
   const PourColumns columns = columns_of(scene, settings);
   auto grains = pour_sizes(scene, kinds, columns, types_to_pour(scene, count), place, has_room);

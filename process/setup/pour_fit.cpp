@@ -87,6 +87,8 @@ void refuse_overlap(const Scene& scene, const Tooling& tooling, const std::vecto
                     "tool \"%s\" reaches %.3g mm into the powder near (%.2f, %.2f, %.2f) mm",
                     tool.spec.name.c_str(), 1e3 * (radius - distance), 1e3 * grain.position[0],
                     1e3 * grain.position[1], 1e3 * grain.position[2]);
+      if (scene.pour.grains_file)
+        refuse(scene, text + std::string("; move the tool, or that grain in grains_file"));
       const double height = grain.position[2] - scene.pour.lower[2];
       refuse(scene, text + (height > scene.pour.fill_height + radius
                                 ? advice(scene, grains, (height - 2 * radius) / height_of(grains, scene))

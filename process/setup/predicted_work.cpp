@@ -52,19 +52,19 @@ double at_most(const Scene& scene, double seconds) {
 
 void refuse_steps(const Scene& scene, double seconds, double time_step, double spheres) {
   const double steps = at_most(scene, seconds) / time_step;
-  if (steps <= kMostSteps && steps * spheres <= kMostSphereSteps) return;
+  if (steps <= kMaxSteps && steps * spheres <= kMaxSphereSteps) return;
   const std::string advice =
       "; use a longer time step (numerics.time_step_fraction, numerics.time_step, a softer "
       "powder.reduced_modulus), larger grains or shorter steps";
-  if (!(steps <= kMostSteps))
+  if (!(steps <= kMaxSteps))
     throw SceneError(place(scene) +
                      line("%.3g s of simulated time in time steps of %.3g s are %.3g steps, ",
                           at_most(scene, seconds), time_step, steps) +
-                     line("allowed: at most %.3g, because the run would never end", kMostSteps) + advice);
+                     line("allowed: at most %.3g, because the run would never end", kMaxSteps) + advice);
   throw SceneError(place(scene) +
                    line("%.3g spheres over %.3g time steps of %.3g s are %.3g sphere-steps, ", spheres, steps,
                         time_step, steps * spheres) +
-                   line("allowed: at most %.3g, because the run would never end", kMostSphereSteps) + advice);
+                   line("allowed: at most %.3g, because the run would never end", kMaxSphereSteps) + advice);
 }
 
 /// Whatever max_time says: nobody can tell where tools are after such times.
@@ -84,12 +84,12 @@ double kept_bytes(const Scene& scene, double seconds, double grains) {
 
 void refuse_snapshots(const Scene& scene, double seconds) {
   for (const auto& snapshot : scene.snapshots) {
-    if (!snapshot.every || at_most(scene, seconds) / *snapshot.every <= kMostSnapshots) continue;
+    if (!snapshot.every || at_most(scene, seconds) / *snapshot.every <= kMaxSnapshots) continue;
     throw SceneError(
         place(scene) + "snapshot \"" + snapshot.name + "\": " +
         line("every %.3g s of %.3g s makes %.3g folders of results, allowed: at most %.3g; increase every",
              *snapshot.every, at_most(scene, seconds), at_most(scene, seconds) / *snapshot.every,
-             kMostSnapshots));
+             kMaxSnapshots));
   }
 }
 
@@ -116,7 +116,7 @@ void refuse_memory(const std::string& what, double spheres, double wall_spheres,
                    advice);
 }
 
-void refuse_endless(const Scene& scene) {
+void refuse_excessive_work(const Scene& scene) {
   if (setting_of(scene)) return;  // its grains are not chosen yet
   const auto settings = engine_settings(scene, 1.0);
   const double grains = all_grains(scene);
@@ -131,7 +131,7 @@ void refuse_endless(const Scene& scene) {
   refuse_snapshots(scene, longest);
 }
 
-void refuse_endless_schedule(const Scene& scene, const Tooling& tooling) {
+void refuse_excessive_schedule(const Scene& scene, const Tooling& tooling) {
   const Stages stages(scene);
   double end = 0;
   for (const auto& state : predicted(stages, kSettlingGuess))

@@ -10,18 +10,18 @@
 namespace diefill::process {
 
 /// Time steps of a run at most: a month at 4,000 steps/s, which the smallest scenes reach.
-inline constexpr double kMostSteps = 1e10;
+inline constexpr double kMaxSteps = 1e10;
 /// Spheres of grains times steps at most: months on some tens of cores.
-inline constexpr double kMostSphereSteps = 1e15;
+inline constexpr double kMaxSphereSteps = 1e15;
 /// Snapshots at most, each a folder of results.
-inline constexpr double kMostSnapshots = 10000;
+inline constexpr double kMaxSnapshots = 10000;
 
 /// Checks the scene without its tools: grains, memory, and steps as far as they do not depend on the tools.
 /// Throws SceneError with the numbers and what to change.
-void refuse_endless(const Scene& scene);
+void refuse_excessive_work(const Scene& scene);
 
 /// Checks the whole schedule with the tools, whose steps have been prepared.
-void refuse_endless_schedule(const Scene& scene, const Tooling& tooling);
+void refuse_excessive_schedule(const Scene& scene, const Tooling& tooling);
 
 /// Throws SceneError where so many spheres of grains do not fit into the memory of this machine; `what`
 /// begins the message.

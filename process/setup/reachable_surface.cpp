@@ -136,9 +136,9 @@ std::vector<geometry::Box> powder_boxes(const Scene& scene, double voxel) {
 /// Edge of the voxels, m: a quarter of a grain, fine enough for walls, coarse enough for a scene of a few
 /// hundred millimetres.
 double voxel_edge(const Tooling& tooling, double grain_diameter) {
-  constexpr double kMostVoxels = 2e7;
+  constexpr double kMaxVoxels = 2e7;
   const double of_grains = 0.25 * grain_diameter;
-  double voxel = std::max(of_grains, std::cbrt(tooling.all.size().prod() / kMostVoxels));
+  double voxel = std::max(of_grains, std::cbrt(tooling.all.size().prod() / kMaxVoxels));
   voxel = std::clamp(voxel, 1e-5, std::max(5e-4, of_grains));
   // Wider where tools are far apart: powder does not come through openings half a grain wide.
   constexpr double kManyVoxels = 1e8;

@@ -147,16 +147,16 @@ void refuse_misplaced(const Scene& scene, const Tooling& tooling) {
 
 }  // namespace
 
-Tooling read_tooling(const Scene& scene, const TellProgress& tell) {
+Tooling read_tooling(const Scene& scene, const ProgressCallback& on_progress) {
   Tooling tooling;
   double bytes = 0, all_bytes = 0;
   for (const auto& spec : scene.tools) all_bytes += bytes_of(spec);
   for (const auto& spec : scene.tools) {
-    tell(kToolsReadShare * bytes / all_bytes, "reading " + spec.file.filename().string());
+    on_progress(kToolsReadShare * bytes / all_bytes, "reading " + spec.file.filename().string());
     tooling.tools.push_back(read_tool(scene, spec));
     bytes += bytes_of(spec);
   }
-  tell(kToolsReadShare, "checking how tools fit");
+  on_progress(kToolsReadShare, "checking how tools fit");
   for (const auto& tool : tooling.tools) refuse_unusable(scene, tool);
   try {
     refuse_misplaced(scene, tooling);
@@ -178,7 +178,7 @@ Tooling read_tooling(const Scene& scene, const TellProgress& tell) {
   }
   followed = prepare_passages(followed, tooling, poses);
   tooling.steps = followed.steps;
-  refuse_endless_schedule(followed, tooling);
+  refuse_excessive_schedule(followed, tooling);
   refuse_collisions(followed, tooling);
   tooling.mirror = scene.economy.mirror;
   refuse_asymmetry(followed, tooling);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "engine/powder/rigid_motion.h"
 #include "geometry/solid/solid_query.h"
@@ -95,11 +96,24 @@ results::PowderState powder_for(const Scene& scene, const SavedState& state) {
   }
 }
 
+/// Results of other programs may leave lists out, which pictures do without.
+void refuse_missing_lists(const Scene& scene, const results::PowderState& powder) {
+  const std::size_t grains = powder.position.size();
+  for (const auto& [what, entries] : {std::pair{"velocity", powder.velocity.size()},
+                                      {"orientation", powder.orientation.size()},
+                                      {"angular_velocity", powder.angular_velocity.size()}})
+    if (entries != grains)
+      refuse(scene, "state",
+             std::string("those results have no /powder/") + what +
+                 " of the grains, from which a run could begin; give the results of a run of this program");
+}
+
 }  // namespace
 
 std::vector<engine::NewGrain> restored_grains(const Scene& scene, const engine::SimulationSettings& settings,
                                               const Tooling& tooling, const SavedState& state) {
   const results::PowderState powder = powder_for(scene, state);
+  refuse_missing_lists(scene, powder);
   refuse_other_grains(scene, settings, powder);
   refuse_other_period(scene, powder);
   std::vector<engine::NewGrain> grains;

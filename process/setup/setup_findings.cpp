@@ -129,7 +129,7 @@ void find_forced_collisions(const Scene& scene, const Tooling& tooling, std::vec
     return step->control() != nullptr || free_motion_of(*step) != nullptr;
   });
   if (!forced) return;
-  for (const auto& collision : find_collisions(scene, tooling, ForcedTools::go_all_the_way))
+  for (const auto& collision : find_collisions(scene, tooling, ForcedTools::full_travel))
     findings.push_back({"without powder to stop it, " + collision.description() +
                             "; the run stops if this happens: reduce its travel",
                         {collision.place}});
@@ -147,6 +147,8 @@ std::vector<SetupFinding> setup_findings(const Scene& scene, const Tooling& tool
   }
   for (auto& finding : inflow_findings(scene, tooling)) findings.push_back(std::move(finding));
   find_forced_collisions(scene, tooling, findings);
+  for (auto& finding : measure_findings(scene, tooling)) findings.push_back(std::move(finding));
+  for (auto& finding : suction_findings(scene)) findings.push_back(std::move(finding));
   return findings;
 }
 

@@ -1,5 +1,5 @@
 // Set-ups that can be computed but are probably mistakes: powder beside the shoe, a shoe above the die,
-// narrower than the cavity or never over it, a punch beside the die, too little powder.
+// narrower than the cavity or never over it, a punch beside the die, too little powder, a zone beside all.
 #pragma once
 
 #include <string>
@@ -24,6 +24,12 @@ std::vector<SetupFinding> shoe_findings(const Scene& scene, const Tooling& tooli
 /// Steps whose boxes cannot supply their inflow rate. Throws SceneError for a box without room for a grain
 /// while its step is active: the step would never end.
 std::vector<SetupFinding> inflow_findings(const Scene& scene, const Tooling& tooling);
+
+/// Sections, heaps and zones of [measure] that meet neither tools nor powder.
+std::vector<SetupFinding> measure_findings(const Scene& scene, const Tooling& tooling);
+
+/// [suction] of a tool that no step moves up or down. Steps must have been prepared.
+std::vector<SetupFinding> suction_findings(const Scene& scene);
 
 /// Prefix of those warnings of a run that point to a likely mistake.
 inline constexpr const char* kAlert = "WARNING: ";

@@ -18,7 +18,7 @@ constexpr int kDense = 400;            // instants of a step
 constexpr int kCells = 24;             // each way, of the cavity seen from above
 constexpr double kJustAbove = 5e-4;    // m above the shoe's lower edge, where its opening is taken
 constexpr double kJustBelow = 2e-4;    // m below the fill plane, where the cavity is taken
-constexpr double kMostLeftOut = 0.02;  // share of the cavity
+constexpr double kMaxLeftOut = 0.02;   // share of the cavity
 constexpr double kOutOfScale = 6;      // opening over cavity
 constexpr double kUsualOpening = 1.5;  // the same, where a unit is guessed
 
@@ -39,7 +39,7 @@ std::vector<ToolPose> poses_over_die(const Scene& scene, const Tooling& tooling,
 }
 
 /// Places of the cavities at the fill plane, m.
-std::vector<Eigen::Vector3d> mouth_of(const Tooling& tooling) {
+std::vector<Eigen::Vector3d> fill_plane_points(const Tooling& tooling) {
   std::vector<Eigen::Vector3d> places;
   const geometry::Box box = tooling.all_cavities().box;
   const Eigen::Vector3d size = box.size();
@@ -94,9 +94,9 @@ Pass pass_of(const Tool& shoe, const Tooling& tooling, const std::vector<ToolPos
 
 /// The places of the cavity that the opening never comes over.
 std::vector<Eigen::Vector3d> left_out(const Opening& opening, const std::vector<ToolPose>& poses,
-                                      const std::vector<Eigen::Vector3d>& mouth) {
+                                      const std::vector<Eigen::Vector3d>& points) {
   std::vector<Eigen::Vector3d> rest;
-  for (const auto& place : mouth) {
+  for (const auto& place : points) {
     const bool met = std::any_of(poses.begin(), poses.end(), [&](const ToolPose& pose) {
       return opening.contains((pose.rotation.transpose() * (place - pose.translation)).head<2>());
     });
@@ -146,8 +146,8 @@ SetupFinding not_covered(const Tool& shoe, const Opening& opening, const geometr
           std::move(rest)};
 }
 
-void look_at_shoe(const Scene& scene, const Tooling& tooling, const Tool& shoe,
-                  std::vector<SetupFinding>& findings) {
+void check_shoe(const Scene& scene, const Tooling& tooling, const Tool& shoe,
+                std::vector<SetupFinding>& findings) {
   const auto poses = poses_over_die(scene, tooling, shoe.spec.name);
   const geometry::Box cavity = tooling.all_cavities().box;
   const Pass pass = pass_of(shoe, tooling, poses);
@@ -163,11 +163,11 @@ void look_at_shoe(const Scene& scene, const Tooling& tooling, const Tool& shoe,
   const double bottom = shoe.mesh.bounding_box().lower.z();
   const Opening opening(shoe.mesh, bottom + std::min(kJustAbove, 0.1 * shoe.mesh.bounding_box().size().z()));
   if (opening.empty()) return;  // open on a side: what it holds is not known
-  const auto mouth = mouth_of(tooling);
-  auto rest = left_out(opening, poses, mouth);
+  const auto points = fill_plane_points(tooling);
+  auto rest = left_out(opening, poses, points);
   const double share =
-      mouth.empty() ? 0 : static_cast<double>(rest.size()) / static_cast<double>(mouth.size());
-  if (share > kMostLeftOut) findings.push_back(not_covered(shoe, opening, cavity, share, std::move(rest)));
+      points.empty() ? 0 : static_cast<double>(rest.size()) / static_cast<double>(points.size());
+  if (share > kMaxLeftOut) findings.push_back(not_covered(shoe, opening, cavity, share, std::move(rest)));
   const double ratio = opening.size().maxCoeff() / cavity.size().head<2>().maxCoeff();
   const double die = tooling.tools[tooling.die].mesh.bounding_box().size().head<2>().maxCoeff();
   if (ratio > kOutOfScale && opening.size().maxCoeff() > die) {
@@ -188,7 +188,7 @@ std::vector<SetupFinding> shoe_findings(const Scene& scene, const Tooling& tooli
                                    [](const ToolSpec& tool) { return tool.role == ToolRole::shoe; });
   for (const Tool& tool : tooling.tools)
     if (shoes == 1 && tool.spec.role == ToolRole::shoe && (die_moves || stages.moves(tool.spec.name)))
-      look_at_shoe(scene, tooling, tool, findings);
+      check_shoe(scene, tooling, tool, findings);
   return findings;
 }
 

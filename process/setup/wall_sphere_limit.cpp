@@ -78,7 +78,7 @@ void refuse_too_many_wall_spheres(
   constexpr int kPoints = 4000;
   const double room = machine_memory() - plan::predicted_memory(0, 0),
                each = plan::predicted_memory(0, 1) - plan::predicted_memory(0, 0);
-  const double most = std::clamp(room / each, 1e5, kMostWallSpheres);
+  const double most = std::clamp(room / each, 1e5, kMaxWallSpheres);
   double all = 0;
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     const Tool& tool = tooling.tools[k];

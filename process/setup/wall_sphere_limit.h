@@ -10,7 +10,7 @@
 namespace diefill::process {
 
 /// Wall spheres of all tools at most.
-inline constexpr double kMostWallSpheres = 2e6;
+inline constexpr double kMaxWallSpheres = 2e6;
 
 /// Throws SceneError where a tool would take too many wall spheres for what powder reaches of it.
 void refuse_too_many_wall_spheres(

@@ -67,7 +67,7 @@ std::optional<engine::SleepSettings> co_moving_powder(const Scene& scene, const 
     refuse(scene, "the tools enclose no cavity, so the region where powder flows is unknown");
   const std::size_t shoe = only_shoe(scene, tooling);
   check_steps(scene, tooling.tools[shoe].spec.name, tooling.tools[tooling.die].spec.name);
-  auto settings = engine::riding_on(shoe);
+  auto settings = engine::co_moving_with(shoe);
   settings.awake.push_back(free_powder(tooling.cavity, *beyond));
   for (const auto& cavity : tooling.other_cavities) settings.awake.push_back(free_powder(cavity, *beyond));
   return settings;

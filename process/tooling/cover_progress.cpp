@@ -7,7 +7,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenLooks(50);
+constexpr std::chrono::milliseconds kPollInterval(50);
 constexpr double kOfSmallTool = 1e4;  // triangles that any tool counts as, at least
 
 }  // namespace
@@ -24,10 +24,10 @@ double CoverProgress::share_of_all() const {
 }
 
 geometry::WallSpheres CoverProgress::wait_for(std::size_t k, std::future<geometry::WallSpheres>& spheres,
-                                              double from, const TellProgress& tell) const {
+                                              double from, const ProgressCallback& on_progress) const {
   do {
-    tell(from + (1 - from) * share_of_all(), "covering \"" + parts_[k].tool + "\" with wall spheres");
-  } while (spheres.wait_for(kBetweenLooks) != std::future_status::ready);
+    on_progress(from + (1 - from) * share_of_all(), "covering \"" + parts_[k].tool + "\" with wall spheres");
+  } while (spheres.wait_for(kPollInterval) != std::future_status::ready);
   return spheres.get();
 }
 

@@ -25,7 +25,7 @@ class CoverProgress {
 
   /// Waits for the spheres of tool k and meanwhile reports the completed share of all, `from` to 1.
   geometry::WallSpheres wait_for(std::size_t k, std::future<geometry::WallSpheres>& spheres, double from,
-                                 const TellProgress& tell) const;
+                                 const ProgressCallback& on_progress) const;
 
  private:
   double share_of_all() const;

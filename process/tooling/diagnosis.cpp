@@ -13,7 +13,7 @@ namespace diefill::process {
 namespace {
 
 constexpr double kReachOverDiameter = 3;  // wider than this, two tools are no neighbours but an opening
-constexpr double kLeastReach = 1e-3;      // m
+constexpr double kMinReach = 1e-3;        // m
 constexpr double kSampleSpacing = 5e-4;   // m
 constexpr double kSymmetryOverRadius = 0.2;
 constexpr double kNothing = 1e-6;  // m, what rounding in CAD files makes of zero
@@ -72,7 +72,7 @@ bool elsewhere(const Surroundings& around, std::size_t one, std::size_t other, c
 
 /// The gap seen from one of the tools, as far as powder can come.
 geometry::Gap gap_seen_from(const Surroundings& around, std::size_t one, std::size_t other) {
-  const double reach = std::max(kLeastReach, kReachOverDiameter * around.scene.powder.grain_diameter);
+  const double reach = std::max(kMinReach, kReachOverDiameter * around.scene.powder.grain_diameter);
   return geometry::measure_gap(
       around.tooling.tools[one].solid(), around.tooling.tools[other].solid(), reach, kSampleSpacing,
       [&](const Eigen::Vector3d& point, const Eigen::Vector3d& halfway) {

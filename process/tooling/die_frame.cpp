@@ -8,7 +8,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr double kHome = 1e-12;  // m and rad, rounding of a motion that comes back
+constexpr double kPoseTolerance = 1e-12;  // m and rad, rounding of a motion that comes back
 
 }  // namespace
 
@@ -27,8 +27,9 @@ results::CavityState cavity_state(const geometry::Cavity& found) {
   return cavity;
 }
 
-bool DieFrame::at_home() const {
-  return die_.translation.norm() < kHome && (die_.rotation - Eigen::Matrix3d::Identity()).norm() < kHome;
+bool DieFrame::at_initial_pose() const {
+  return die_.translation.norm() < kPoseTolerance &&
+         (die_.rotation - Eigen::Matrix3d::Identity()).norm() < kPoseTolerance;
 }
 
 engine::BodyMotion DieFrame::pose(const engine::BodyMotion& body) const {

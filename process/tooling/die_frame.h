@@ -15,8 +15,8 @@ results::CavityState cavity_state(const geometry::Cavity& found);
 class DieFrame {
  public:
   explicit DieFrame(const engine::BodyMotion& die) : die_(die) {}
-  /// True where the die stands as the scene puts it, to 1e-12 m and rad.
-  bool at_home() const;
+  /// Whether the die is at its initial pose in the scene, to 1e-12 m and rad.
+  bool at_initial_pose() const;
   /// m, offset of the die's own origin, and rad, by which it is turned.
   double shift() const { return die_.translation.norm(); }
   double turn() const { return Eigen::AngleAxisd(die_.rotation).angle(); }

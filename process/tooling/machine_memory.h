@@ -3,7 +3,7 @@
 
 namespace diefill::process {
 
-/// Bytes: the machine's memory, or less where a limit of the process or of its control group says so.
+/// Bytes: the machine's memory, or less where a limit of the process or of its control group is lower.
 double machine_memory();
 
 }  // namespace diefill::process

@@ -82,7 +82,7 @@ void add_other_cavities(results::FillResult& result, const std::vector<geometry:
     result.summary = summarise(result.powder, result.solid_fraction, result.cavity);
     result.figures["filled_mass_kg"] = filled_mass(result.powder, result.solid_fraction);
     if (measure) measure(result);
-    result.summary = worth_giving(result.summary);
+    result.summary = reliable_summary(result.summary);
     exchange(result, other);
     add_figures(result, other, number);
     add_words(result, other, number);

@@ -29,7 +29,7 @@ class PlanView {
   std::vector<Segment> segments_;
 };
 
-/// The places that a tool encloses at a height, as a raster: computed once, asked often.
+/// The places that a tool encloses at a height, as a raster: computed once, queried often.
 class Opening {
  public:
   Opening(const geometry::Mesh& mesh, double z);

@@ -59,11 +59,11 @@ void Progress::show(double share, const std::string& doing, const std::string& r
   bar_ = true;
 }
 
-TellProgress Progress::listener() {
+ProgressCallback Progress::callback() {
   return [this](double share, const std::string& doing) { show(share, doing, ""); };
 }
 
-void Progress::say(const std::string& line) {
+void Progress::note(const std::string& line) {
   if (wanted_) warn(line);
 }
 

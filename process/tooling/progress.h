@@ -8,10 +8,10 @@
 
 namespace diefill::process {
 
-/// Called by work in progress: its finished share, 0 to 1, and what is being done.
-using TellProgress = std::function<void(double share, const std::string& doing)>;
+/// Receives the progress of a task: its finished share, 0 to 1, and what is being done.
+using ProgressCallback = std::function<void(double share, const std::string& doing)>;
 
-inline void tell_nobody(double, const std::string&) {}
+inline void ignore_progress(double, const std::string&) {}
 
 /// Progress of one task on standard error.
 class Progress {
@@ -24,11 +24,11 @@ class Progress {
   /// `share` of the work done, 0 to 1, and what is being done. Cheap to call: prints ten times a second on a
   /// terminal, every ten seconds elsewhere, and nothing in the first two seconds.
   void show(double share, const std::string& doing, const std::string& rate);
-  /// Prints what it is told, as long as this object lives.
-  TellProgress listener();
-  /// A line that stays.
-  void say(const std::string& line);
-  /// The same, where no progress is wanted either: for what must not be missed.
+  /// Prints the progress that it is called with, as long as this object lives.
+  ProgressCallback callback();
+  /// Prints a line that stays, where progress is wanted.
+  void note(const std::string& line);
+  /// The same whether or not progress is wanted: for what must not be missed.
   void warn(const std::string& line);
 
  private:

@@ -13,10 +13,10 @@ namespace diefill::process {
 struct RestWatch {
   double quiet_since = -1;  ///< s, when the kinetic energy fell below the limit; negative: it has not
   double still_since =
-      -1;  ///< s, when the centre of mass was last where `place` says; negative: not yet asked
+      -1;  ///< s, when the centre of mass was last where `place` says; negative: not yet checked
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< m
 
-  /// Asks at the simulation's present time; true once the powder is at rest. `grain_diameter` d in m. With
+  /// Checks at the simulation's present time; true once the powder is at rest. `grain_diameter` d in m. With
   /// `limits` of one's own the kinetic energy alone decides.
   bool at_rest(const engine::Simulation& simulation, double grain_diameter,
                const std::optional<RestLimits>& limits = std::nullopt);

@@ -43,16 +43,16 @@ bool ends_with_settling(const std::vector<std::shared_ptr<const Step>>& steps) {
 }
 
 ToolMotion motion_at(const Step& step, const StepState& state, double time) {
-  const double stop = state.stop_asked < 0 ? kUnknown : state.stop_asked - state.started;
+  const double stop = state.stop_requested < 0 ? kUnknown : state.stop_requested - state.started;
   const double since = std::clamp(time - state.started, 0.0, step_length(step, stop));
   ToolMotion motion;
   if (const ForceControl* control = step.control())
     motion =
-        control->motion(state.control.coordinate_at(state.is_over() ? std::min(time, state.ended) : time),
+        control->motion(state.control.coordinate_at(state.has_ended() ? std::min(time, state.ended) : time),
                         state.control.rate);
   else
     motion = stop < 0 ? step.motion(since) : step.motion_stopped(since, stop);
-  if (!state.is_over()) return motion;
+  if (!state.has_ended()) return motion;
   motion.velocity.setZero();
   motion.angular_velocity.setZero();
   return motion;
@@ -87,7 +87,7 @@ void predict_end(std::size_t k, const Stages& stages, std::vector<StepState>& st
   } else if (step.tools().empty() || step.control() != nullptr) {
     state.ended = stop;
   } else {
-    state.stop_asked = stop;
+    state.stop_requested = stop;
     state.ended = state.started + step_length(step, stop - state.started);
   }
   // Under force control: as far as it may go.
@@ -130,33 +130,33 @@ bool Stages::stays(const std::string& tool) const {
 std::optional<double> counts_from(const Condition& condition, const Stages& stages,
                                   const std::vector<StepState>& states) {
   const StepState& settling = states.front();
-  if (!settling.is_over()) return std::nullopt;
+  if (!settling.has_ended()) return std::nullopt;
   double since = settling.ended;
   if (!condition.after.empty()) {
     const StepState& other = states[stages.index_of(condition.after)];
-    if (!other.is_over()) return std::nullopt;
+    if (!other.has_ended()) return std::nullopt;
     since = std::max(since, other.ended);
   }
   if (!condition.with.empty()) {
     const StepState& other = states[stages.index_of(condition.with)];
-    if (other.waits()) return std::nullopt;
+    if (other.is_pending()) return std::nullopt;
     since = std::max(since, other.started);
   }
   if (condition.at) since = std::max(since, settling.ended + *condition.at);
   return since + condition.delay;
 }
 
-double step_length(const Step& step, double stop_asked) {
+double step_length(const Step& step, double stop_requested) {
   const double whole = step.open_ended() ? std::numeric_limits<double>::infinity()
                                          : step.duration().value_or(std::numeric_limits<double>::infinity());
-  return stop_asked < 0 ? whole : std::min(whole, stop_asked + step.stopping_time(stop_asked));
+  return stop_requested < 0 ? whole : std::min(whole, stop_requested + step.stopping_time(stop_requested));
 }
 
 ToolPose pose_of(const Stages& stages, const std::vector<StepState>& states, const std::string& tool,
                  double time) {
   ToolPose pose;
   for (std::size_t k = 0; k < stages.size(); ++k) {
-    if (states[k].waits() || time < states[k].started || !moves_tool(*stages.steps[k], tool)) continue;
+    if (states[k].is_pending() || time < states[k].started || !moves_tool(*stages.steps[k], tool)) continue;
     pose = compose(motion_at(*stages.steps[k], states[k], time), pose);
   }
   return pose;
@@ -167,11 +167,11 @@ std::vector<StepState> predicted(const Stages& stages, double settling_time) {
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t k = 0; k < stages.size(); ++k) {
-      if (states[k].is_over()) continue;
-      if (states[k].waits()) states[k].started = predicted_start(k, stages, states);
-      if (states[k].waits()) continue;
+      if (states[k].has_ended()) continue;
+      if (states[k].is_pending()) states[k].started = predicted_start(k, stages, states);
+      if (states[k].is_pending()) continue;
       predict_end(k, stages, states, settling_time);
-      changed = changed || states[k].is_over();
+      changed = changed || states[k].has_ended();
     }
   }
   return states;

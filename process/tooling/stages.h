@@ -22,17 +22,17 @@ struct ConditionState {
 
 /// State of a step. All that a restart needs; a plain value, so that a checkpoint can store it.
 struct StepState {
-  double started = -1;     ///< s; negative: not yet
-  double stop_asked = -1;  ///< s, when its plan told it to stop; negative: not yet
-  double ended = -1;       ///< s; negative: not yet
+  double started = -1;         ///< s; negative: not yet
+  double stop_requested = -1;  ///< s, when its plan requested the stop; negative: not yet
+  double ended = -1;           ///< s; negative: not yet
   ConditionState start, until;
-  ControlState control;           ///< of a step under force control
-  RingingWatch ringing;           ///< the same
-  std::uint64_t grains_come = 0;  ///< of a step that lets powder in
+  ControlState control;          ///< of a step under force control
+  RingingWatch ringing;          ///< the same
+  std::uint64_t grains_fed = 0;  ///< of a step that lets powder in
 
-  bool waits() const { return started < 0; }
-  bool is_on() const { return started >= 0 && ended < 0; }
-  bool is_over() const { return ended >= 0; }
+  bool is_pending() const { return started < 0; }
+  bool is_active() const { return started >= 0 && ended < 0; }
+  bool has_ended() const { return ended >= 0; }
 };
 
 /// A settling, the scene's steps, and a settling that waits for all of them, unless the scene ends with one.
@@ -54,9 +54,9 @@ struct Stages {
 std::optional<double> counts_from(const Condition& condition, const Stages& stages,
                                   const std::vector<StepState>& states);
 
-/// s after which the step is over that was told to stop at `stop_asked`, or not (negative); both since its
-/// start. Infinite while it is left open.
-double step_length(const Step& step, double stop_asked);
+/// s after which the step is over that was stopped at `stop_requested`, or not (negative); both since
+/// its start. Infinite while it is left open.
+double step_length(const Step& step, double stop_requested);
 
 /// Pose of a tool at `time` (s), with the displacements of all steps, the first of the scene applied first.
 ToolPose pose_of(const Stages& stages, const std::vector<StepState>& states, const std::string& tool,

@@ -10,8 +10,9 @@ namespace diefill::process {
 
 namespace {
 
-constexpr double kLargestTool = 2;                            // m
-constexpr double kFarthestTool = 20;                          // m, middle from the origin of the scene
+constexpr double kLargestTool = 2;       // m
+constexpr double kAbsurdDistance = 1e6;  // m, a fault in the file: not to be shifted back
+constexpr double kFarthestTool = 20;     // m, middle from the origin of the scene
 constexpr double kSmallestUsual = 0.01, kLargestUsual = 0.8;  // m, extents of tools that presses have
 
 /// Share of a part's size to which its depth in another is found where no corner shows it.
@@ -23,6 +24,27 @@ void deepen(geometry::Penetration& deepest, const Tool& part, const Tool& other,
   const auto found =
       geometry::deepest_penetration(part.mesh, other.solid(), box, std::max(resolution, least));
   if (found.depth > deepest.depth) deepest = found;
+}
+
+/// m inside the part beneath each of its triangles, as a share of the part's size.
+constexpr double kBeneathOverSize = 1e-4;
+
+/// Whether the part lies within the other, on whose surface all of its own lies: the same body once more, or
+/// one of the other's bodies. What lies beneath every triangle of the part is then in the other, too, as it
+/// is not where parts touch or overlap by what fits and facets do.
+bool is_again(const Tool& part, const Tool& other) {
+  const double beneath = kBeneathOverSize * part.mesh.bounding_box().size().norm();
+  bool any = false;
+  for (const Eigen::Vector3i& triangle : part.mesh.triangles) {
+    const Eigen::Vector3d &a = part.mesh.vertices[static_cast<std::size_t>(triangle[0])],
+                          &b = part.mesh.vertices[static_cast<std::size_t>(triangle[1])],
+                          &c = part.mesh.vertices[static_cast<std::size_t>(triangle[2])];
+    const Eigen::Vector3d outward = (b - a).cross(c - a);
+    if (outward.norm() < beneath * beneath) continue;  // too small to say where its inside is
+    any = true;
+    if (!other.solid().inside((a + b + c) / 3 - beneath * outward.normalized())) return false;
+  }
+  return any;
 }
 
 /// Units in which the part would be as large as tools are, where `extent` is in the file's unit.
@@ -44,6 +66,10 @@ void refuse_far(const geometry::Mesh& mesh, const std::string& where) {
   const geometry::Box box = mesh.bounding_box();
   const Eigen::Vector3d middle = (box.lower + box.upper) / 2;
   if (middle.cwiseAbs().maxCoeff() <= kFarthestTool) return;
+  if (!(middle.cwiseAbs().maxCoeff() <= kAbsurdDistance))
+    throw SceneError(where +
+                     ": is more than 1000 km from the origin, allowed: up to 20 m; check the coordinates " +
+                     "in the CAD file and its length_unit");
   // The axes along which the tool is near are left as they are in CAD.
   Eigen::Vector3d back = Eigen::Vector3d::Zero();
   for (int k = 0; k < 3; ++k)
@@ -83,7 +109,12 @@ geometry::Penetration deepest_overlap(const Tool& one, const Tool& other, double
 
 void check_fit(const Tool& tool, const Tool& other, double sphere_radius, const std::string& where) {
   const geometry::Penetration deepest = deepest_overlap(tool, other, sphere_radius);
-  if (deepest.depth <= sphere_radius) return;
+  if (deepest.depth <= sphere_radius) {
+    if (!is_again(tool, other) && !is_again(other, tool)) return;
+    throw SceneError(where + " and tool \"" + other.spec.name +
+                     "\" are the same body at the same place; give one of them another file, part or "
+                     "position, or remove it");
+  }
   char text[120];
   std::snprintf(text, sizeof text,
                 " overlap by %.3g mm near (%.2f, %.2f, %.2f) mm at the start; move one of them",

@@ -23,7 +23,8 @@ geometry::Penetration deepest_overlap(const Tool& one, const Tool& other, double
 
 /// Throws SceneError (beginning with `where`, which is of `tool`) when one of the two parts lies deeper
 /// inside the other than a wall sphere's radius, as they stand at the start. Fits and facets overlap by less,
-/// and so may parts none of whose corners lies in the other, by up to twice as much.
+/// and so may parts none of whose corners lies in the other, by up to twice as much. Throws it also where one
+/// is the other, or a body of it, at the same place, which no corner that lies inside shows.
 void check_fit(const Tool& tool, const Tool& other, double sphere_radius, const std::string& where);
 
 }  // namespace diefill::process

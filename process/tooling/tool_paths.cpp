@@ -104,7 +104,7 @@ std::size_t step_at(const Way& way, const std::string& one, const std::string& o
     const auto tools = way.stages().steps[k]->tools();
     const bool moves = std::any_of(tools.begin(), tools.end(),
                                    [&](const std::string& tool) { return tool == one || tool == other; });
-    if (moves && !way.states()[k].waits() && way.states()[k].started <= time) found = k;
+    if (moves && !way.states()[k].is_pending() && way.states()[k].started <= time) found = k;
   }
   return found;
 }
@@ -130,7 +130,7 @@ std::optional<ToolCollision> collision_of(const Scene& scene, const Tooling& too
     const ToolPose &here = way.poses()[n][one], &there = way.poses()[n][other];
     if (!known.insert(relative_place(here, there)).second) continue;
     if (found && known.size() % kAfterFirst != 0) continue;
-    const auto cut = pair.look(solid_pose(here), solid_pose(there));
+    const auto cut = pair.find_cut(solid_pose(here), solid_pose(there));
     if (!cut) continue;
     if (!found) {
       const std::size_t step = step_at(way, first.spec.name, second.spec.name, way.times()[n]);
@@ -212,10 +212,11 @@ ForcedToolWatch::ForcedToolWatch(const Scene& scene, const Tooling& tooling) : t
     }
 }
 
-void ForcedToolWatch::look(const engine::Simulation& simulation) {
+void ForcedToolWatch::check(const engine::Simulation& simulation) {
   for (Pair& pair : pairs_) {
     const auto &one = simulation.body_motion(pair.one), &other = simulation.body_motion(pair.other);
-    const auto cut = pair.solids->look({one.rotation, one.translation}, {other.rotation, other.translation});
+    const auto cut =
+        pair.solids->find_cut({one.rotation, one.translation}, {other.rotation, other.translation});
     if (!cut) continue;
     char text[400];
     std::snprintf(text, sizeof text,

@@ -34,7 +34,7 @@ struct ToolsCollide : SceneError {
 double allowed_depth(const Scene& scene, const Tool& one, const Tool& other);
 
 /// Paths of tools under force control, and of free ones, are not known in advance.
-enum class ForcedTools { stand, go_all_the_way };
+enum class ForcedTools { stand, full_travel };
 
 /// Follows all tools through all steps, which must have been prepared, and checks every pair in relative
 /// motion at poses at most half a millimetre apart; poses checked before are skipped. One collision per pair
@@ -50,7 +50,7 @@ class ForcedToolWatch {
   /// Keeps a reference to `tooling`.
   ForcedToolWatch(const Scene& scene, const Tooling& tooling);
   /// Throws engine::OutOfRange when such a tool cuts into another.
-  void look(const engine::Simulation& simulation);
+  void check(const engine::Simulation& simulation);
 
  private:
   struct Pair {

@@ -42,7 +42,7 @@ struct Tool {
   void keep(geometry::Topology topology) { topology_ = std::move(topology); }
 
  private:
-  // Only one thread may be the first to ask.
+  // Only one thread may make the first call.
   mutable std::optional<geometry::SolidQuery> solid_;
   mutable std::optional<geometry::Topology> topology_;  ///< until solid() takes it
 };

@@ -158,7 +158,7 @@ std::string what_is_missing(const Tradeoff& tradeoff) {
 }
 
 void recommend(Tradeoff& tradeoff, std::size_t reference) {
-  if (!tells_apart(tradeoff)) {
+  if (!distinguishes_settings(tradeoff)) {
     tradeoff.advice = what_is_missing(tradeoff);
     return;
   }
@@ -196,8 +196,8 @@ double error_floor(const PooledScatter& pooled, std::uint64_t seeds, bool target
 }
 
 std::uint64_t seeds_for(const PooledScatter& pooled, std::size_t settings, double wanted, bool target) {
-  constexpr std::uint64_t kMost = 1000;
-  for (std::uint64_t seeds = 2; seeds <= kMost; ++seeds) {
+  constexpr std::uint64_t kMax = 1000;
+  for (std::uint64_t seeds = 2; seeds <= kMax; ++seeds) {
     const double freedom = static_cast<double>(settings) * static_cast<double>(seeds - 1);
     if (error_floor({pooled.scatter, freedom}, seeds, target) <= wanted) return seeds;
   }
@@ -233,7 +233,7 @@ bool is_acceptable(const TradeoffPoint& point) {
   return point.reason.empty() && std::isfinite(point.error) && point.beyond.empty();
 }
 
-bool tells_apart(const Tradeoff& tradeoff) {
+bool distinguishes_settings(const Tradeoff& tradeoff) {
   const double widest = widest_floor(tradeoff);
   return std::none_of(tradeoff.quantities.begin(), tradeoff.quantities.end(),
                       [&](const auto& quantity) { return quantity.decides && quantity.floor > widest; });

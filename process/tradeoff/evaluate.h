@@ -20,7 +20,7 @@ PooledScatter pooled_scatter(const std::vector<results::TradeoffValue>& values, 
 double error_floor(const PooledScatter& pooled, std::uint64_t seeds, bool target);
 
 /// Widest floor, a fraction, within which a setting is still recommended where the tolerance is smaller: what
-/// scatters more cannot tell settings apart.
+/// scatters more cannot distinguish settings.
 inline constexpr double kWidestFloor = 0.1;
 
 /// Least number of seeds, as many for each of `settings` settings, at which the floor of this scatter is at
@@ -40,7 +40,7 @@ std::size_t reference_setting(const std::vector<results::TradeoffPoint>& points,
 /// Fills in everything that follows from the values: references (those of point `reference` unless targets),
 /// scatter and floors, errors, what is beyond its limit, Pareto front, and the recommendation: the cheapest
 /// setting that is acceptable. A setting with a failed run is neither on the front nor recommended. Where
-/// seeds scatter too much (tells_apart()) nothing is, and the advice says how many seeds would do.
+/// seeds scatter too much (distinguishes_settings()) nothing is, and the advice says how many seeds would do.
 void evaluate(results::Tradeoff& tradeoff, std::size_t reference);
 
 /// Whether none of the setting's runs failed, its error is known, and every quantity that decides is within
@@ -49,6 +49,6 @@ bool is_acceptable(const results::TradeoffPoint& point);
 
 /// Whether no quantity that decides has a floor above both kWidestFloor and the tolerance. Asks for an
 /// evaluated tradeoff.
-bool tells_apart(const results::Tradeoff& tradeoff);
+bool distinguishes_settings(const results::Tradeoff& tradeoff);
 
 }  // namespace diefill::process

@@ -131,7 +131,7 @@ std::vector<results::Field2D> fields_of(const std::filesystem::path& directory, 
       const auto result = results::read_results(directory / job.folder);
       if (const auto* field = compared_field(result)) fields.push_back(*field);
     } catch (const results::ResultError&) {
-      continue;  // told of by read_runs
+      continue;  // reported by read_runs
     }
   }
   return fields;

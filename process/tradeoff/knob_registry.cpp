@@ -1,6 +1,7 @@
 #include "process/tradeoff/knob_registry.h"
 
 #include "process/input/nearest_key.h"
+#include "process/scene/key_path.h"
 #include "process/tradeoff/knobs/knobs.h"
 
 namespace diefill::process {
@@ -34,7 +35,7 @@ Knob knob_called(const std::string& name) {
     if (knob.name == name) return knob;
     names.push_back(knob.name);
   }
-  if (name.find('.') != std::string::npos) return key_path_knob(name);
+  if (name.find('.') != std::string::npos && is_key_path(name)) return key_path_knob(name);
   std::string message = "--vary: found \"" + name + "\", which is not a knob; ";
   if (const auto meant = nearest_key(name, names)) {
     message += "did you mean \"" + *meant + "\"?";

@@ -112,7 +112,7 @@ std::vector<TriedSetting> settings_of_variants(const Scene& scene) {
   return settings;
 }
 
-void give_folders(std::vector<TriedSetting>& settings) {
+void assign_folders(std::vector<TriedSetting>& settings) {
   std::vector<std::string> names = {kCombined};
   for (const TriedSetting& setting : settings) names.push_back(setting.name);
   const auto folders = folder_names(names);

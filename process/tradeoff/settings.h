@@ -44,11 +44,11 @@ TriedSetting setting_with(const Scene& scene, const std::string& name, const std
 std::vector<TriedSetting> settings_of_variants(const Scene& scene);
 
 /// Gives every setting a folder of its own among these and that of kCombined (scene/folder_names.h).
-void give_folders(std::vector<TriedSetting>& settings);
+void assign_folders(std::vector<TriedSetting>& settings);
 
 /// The base, and every knob at every value that is not the scene's own. A value that the scene refuses is an
 /// error with `strict` (SceneError, naming knob and value) and else a setting that says why. Throws
-/// SceneError for two settings of one name. Folders are left to give_folders.
+/// SceneError for two settings of one name. Folders are left to assign_folders.
 std::vector<TriedSetting> one_at_a_time(const Scene& scene, const std::vector<KnobValues>& knobs,
                                         bool strict);
 

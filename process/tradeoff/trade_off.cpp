@@ -75,7 +75,7 @@ void run_settings(const std::string& title, const std::vector<TriedSetting>& set
   std::stable_sort(order.begin(), order.end(),
                    [](const TriedSetting& a, const TriedSetting& b) { return a.work < b.work; });
   const results::JobList list =
-      write_jobs(options.directory, {title, variants_of(order), options.seeds, {kCombined}}, options.say);
+      write_jobs(options.directory, {title, variants_of(order), options.seeds, {kCombined}}, options.on_note);
   JobOptions jobs = options.jobs;
   jobs.starts = [&](const results::Job& job, double left) {
     const auto cost =
@@ -103,7 +103,7 @@ std::optional<TriedSetting> combination(const Scene& scene, results::Tradeoff tr
                                         const std::vector<KnobValues>& knobs, double tolerance) {
   tradeoff.tolerance = tolerance;
   evaluate(tradeoff, 0);
-  if (!tells_apart(tradeoff)) return std::nullopt;
+  if (!distinguishes_settings(tradeoff)) return std::nullopt;
   std::vector<std::pair<Knob, std::string>> turned;
   for (const results::KnobRow& row : tradeoff.knobs) {
     double cheapest = kWorthwhile * tradeoff.points.front().core_seconds;
@@ -179,7 +179,7 @@ TradeoffPlan plan_tradeoff(const Scene& scene, const std::vector<KnobValues>& kn
   plan.knobs = strict ? knobs : usual_knobs(scene);
   plan.settings = one_at_a_time(scene, plan.knobs, strict);
   if (options.variants) add_variants(scene, plan.settings);
-  give_folders(plan.settings);
+  assign_folders(plan.settings);
   check_words(scene, plan.settings, options);
   check_seeds(variants_of(plan.settings), options.seeds);
   return plan;

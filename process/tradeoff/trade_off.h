@@ -20,7 +20,7 @@ struct TradeoffOptions {
   JobOptions jobs;        ///< with the budget as `cpu_seconds`; `starts` is set here
   bool variants = false;  ///< the scene's variants are settings too
   std::string command;    ///< for the record
-  Say say;                ///< told what earlier runs are kept aside
+  NoteCallback on_note;   ///< receives notes on earlier runs that were renamed
 };
 
 /// What to try of a scene.

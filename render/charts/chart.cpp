@@ -37,9 +37,9 @@ void add_air(std::vector<double>& values) {
     highest = std::max(highest, value);
   }
   const double air = 0.02 * (highest - lowest);
-  // Zero stays a limit of its own: a mass or a count does not go below it.
-  if (lowest != 0) values.push_back(lowest - air);
-  if (highest != 0) values.push_back(highest + air);
+  // Zero stays a limit: a mass or a count does not go below it.
+  if (lowest != 0) values.push_back(lowest > 0 ? std::max(0.0, lowest - air) : lowest - air);
+  if (highest != 0) values.push_back(highest < 0 ? std::min(0.0, highest + air) : highest + air);
 }
 
 // All heights, error bars included, and a little air on linear axes: a curve shall not run along the frame.
@@ -59,6 +59,44 @@ std::vector<double> y_values(const Chart& chart) {
     }
   if (!chart.y.logarithmic) add_air(values);
   return values;
+}
+
+/// Coordinates of the curves that are drawn with marks, along x, or along y with their error bars.
+std::vector<double> marked_values(const Chart& chart, bool along_x) {
+  std::vector<double> values;
+  for (const auto& curve : chart.curves) {
+    if (curve.style != CurveStyle::kMarkers && curve.style != CurveStyle::kLineAndMarkers) continue;
+    for (std::size_t k = 0; k < curve.x.size(); ++k) {
+      if (!std::isfinite(curve.x[k]) || !std::isfinite(curve.y[k])) continue;
+      const double value = along_x ? curve.x[k] : curve.y[k];
+      values.push_back(value);
+      if (along_x || curve.y_error.empty() || !std::isfinite(curve.y_error[k])) continue;
+      values.push_back(value - curve.y_error[k]);
+      values.push_back(value + curve.y_error[k]);
+    }
+  }
+  return values;
+}
+
+/// `range` with a margin beyond what is marked, so that no mark lies on the frame; a limit that was given
+/// stays, and so does zero where nothing is beyond it.
+Interval with_margin(const Interval& range, const ChartAxis& axis, const std::vector<double>& marked) {
+  constexpr double kBeyond = 0.05;  // of the axis
+  const auto place = [&](double value) { return axis.logarithmic ? std::log10(value) : value; };
+  const auto value = [&](double at) { return axis.logarithmic ? std::pow(10, at) : at; };
+  const double margin = kBeyond * (place(range.upper) - place(range.lower));
+  Interval wide = range;
+  for (const double each : marked) {
+    if (axis.logarithmic && each <= 0) continue;
+    if (std::isnan(axis.lower) && range.lower != 0)
+      wide.lower = std::min(wide.lower, value(place(each) - margin));
+    if (std::isnan(axis.upper) && range.upper != 0)
+      wide.upper = std::max(wide.upper, value(place(each) + margin));
+  }
+  if (axis.logarithmic) return wide;
+  if (range.lower > 0) wide.lower = std::max(0.0, wide.lower);
+  if (range.upper < 0) wide.upper = std::min(0.0, wide.upper);
+  return wide;
 }
 
 Axis make_axis(const ChartAxis& wanted, const Interval& range, int most_ticks) {
@@ -133,8 +171,10 @@ ChartLayout lay_out(const Chart& chart) {
   const bool has_bars = std::any_of(chart.curves.begin(), chart.curves.end(),
                                     [](const Curve& curve) { return curve.style == CurveStyle::kBars; });
   ChartLayout layout{{}, Heading(chart.title, chart.subtitle, kWidth - 2 * kMargin)};
-  layout.plot.x = make_axis(chart.x, axis_range(chart.x, x_values(chart), false), kXTicks);
-  layout.plot.y = make_axis(chart.y, axis_range(chart.y, y_values(chart), has_bars), kYTicks);
+  const Interval x = axis_range(chart.x, x_values(chart), false);
+  const Interval y = axis_range(chart.y, y_values(chart), has_bars);
+  layout.plot.x = make_axis(chart.x, with_margin(x, chart.x, marked_values(chart, true)), kXTicks);
+  layout.plot.y = make_axis(chart.y, with_margin(y, chart.y, marked_values(chart, false)), kYTicks);
   const double left = kMargin + left_margin(layout.plot.y), right = kWidth - kRightMargin;
   layout.legend_left = left;
   layout.legend_width = right - left;

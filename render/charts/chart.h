@@ -26,7 +26,8 @@ struct Curve {
   std::vector<double> band = {};  ///< half height of a shaded band round the line at each point; empty: none
 };
 
-/// One axis. Limits that are NaN come from the data, widened to round numbers.
+/// One axis. Limits that are NaN come from the data, widened to round numbers, and to a twentieth of the axis
+/// beyond the outermost mark; zero stays a limit where nothing lies beyond it.
 struct ChartAxis {
   std::string label;  ///< with unit, such as "Fill level [mm]"
   double lower = std::numeric_limits<double>::quiet_NaN();

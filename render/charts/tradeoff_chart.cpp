@@ -9,6 +9,7 @@
 
 #include "render/style/label_placement.h"
 #include "render/style/picture_file.h"
+#include "render/style/star.h"
 #include "render/style/text.h"
 
 namespace diefill::render {
@@ -78,20 +79,11 @@ bool failed_with_a_seed(const TradeoffPoint& point) {
   return point.seeds > 0 && !point.reason.empty();
 }
 
-QPolygonF star(const QPointF& centre, double radius) {
-  QPolygonF outline;
-  for (int k = 0; k < 10; ++k) {
-    const double r = k % 2 == 0 ? radius : 0.45 * radius, angle = std::numbers::pi * (0.2 * k - 0.5);
-    outline << centre + QPointF(r * std::cos(angle), r * std::sin(angle));
-  }
-  return outline;
-}
-
 void draw_mark(QPainter& painter, const QPointF& at, const TradeoffPoint& point) {
   painter.setPen(QPen(Qt::white, 1.5));
   if (point.recommended) {
     painter.setBrush(kChosen);
-    painter.drawPolygon(star(at, kStarRadius));
+    painter.drawPolygon(star_outline(at, kStarRadius));
   } else if (!point.reason.empty()) {
     constexpr double kArm = 0.85 * kRadius;
     painter.setPen(QPen(kFailed, 5, Qt::SolidLine, Qt::FlatCap));

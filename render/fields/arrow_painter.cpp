@@ -10,7 +10,7 @@ namespace diefill::render {
 namespace {
 
 constexpr double kLongest = 64;  // pixels that the legend arrow takes
-constexpr double kLeast = 5;     // pixels below which an arrow is a dot
+constexpr double kMin = 5;       // pixels below which an arrow is a dot
 
 QPolygonF head_of(const QPointF& tip, const QPointF& along, double length) {
   const QPointF across(-along.y(), along.x());
@@ -21,7 +21,7 @@ QPolygonF head_of(const QPointF& tip, const QPointF& along, double length) {
 // A white edge first, so that arrows show on dark and on bright ground.
 void draw_arrow(QPainter& painter, const QPointF& foot, const QPointF& vector) {
   const double length = std::hypot(vector.x(), vector.y());
-  if (length < kLeast) {
+  if (length < kMin) {
     painter.setPen(QPen(Qt::white, 1));
     painter.setBrush(Qt::black);
     painter.drawEllipse(foot, 2.5, 2.5);

@@ -38,7 +38,7 @@ std::size_t columns_for(std::size_t fields) {
 /// Axes that hold all fields, so that equal heights stand level.
 PlotArea common_axes(const std::vector<ComparedField>& fields, const QSizeF& size) {
   results::Field2D all = fields.front().field;
-  for (const auto& [name, field] : fields) {
+  for (const auto& [name, field, seeds] : fields) {
     all.first.front() = std::min(all.first.front(), field.first.front());
     all.first.back() = std::max(all.first.back(), field.first.back());
     all.second.front() = std::min(all.second.front(), field.second.front());
@@ -69,19 +69,28 @@ Grid lay_out(std::size_t fields, double heading, const PlotArea& axes, double ba
   return grid;
 }
 
-void draw_name(QPainter& painter, const QRectF& rect, const std::string& name) {
+/// The name, shortened where there is no room, and how many seeds the field is the mean of.
+std::string name_above(const ComparedField& field, double width) {
+  const QString seeds = field.seeds == 0   ? QString()
+                        : field.seeds == 1 ? QStringLiteral(", one seed")
+                                           : QStringLiteral(", mean of %1 seeds").arg(field.seeds);
   const QFont font = text_font(kSubtitlePixels, true);
-  painter.setFont(font);
+  const QString name = QFontMetricsF(font).elidedText(QString::fromStdString(field.name), Qt::ElideRight,
+                                                      width - text_width(seeds, font));
+  return (name + seeds).toStdString();
+}
+
+void draw_name(QPainter& painter, const QRectF& rect, const std::string& name) {
+  painter.setFont(text_font(kSubtitlePixels, true));
   painter.setPen(Qt::black);
-  const QString text =
-      QFontMetricsF(font).elidedText(QString::fromStdString(name), Qt::ElideRight, rect.width());
+  const QString text = QString::fromStdString(name);
   painter.drawText(QRectF(rect.left(), rect.top() - kNameBand, rect.width(), kNameBand - 4),
                    Qt::AlignLeft | Qt::AlignVCenter, text);
 }
 
 std::vector<double> all_values(const std::vector<ComparedField>& fields) {
   std::vector<double> values;
-  for (const auto& [name, field] : fields)
+  for (const auto& [name, field, seeds] : fields)
     values.insert(values.end(), field.value.begin(), field.value.end());
   return values;
 }
@@ -105,13 +114,15 @@ PlacesShown paint_panel(QImage& image, const PlotArea& plot, const results::Fiel
   return places;
 }
 
-void draw_foot(QPainter& painter, double height, const results::Field2D& field, const PlacesShown& places,
-               const ColourBar& bar) {
+void draw_foot(QPainter& painter, double height, const std::vector<ComparedField>& fields,
+               const PlacesShown& places, const ColourBar& bar) {
+  const results::Field2D& field = fields.front().field;
+  const bool means = std::ranges::any_of(fields, [](const ComparedField& one) { return one.seeds != 1; });
   const double top = height - kMargin - 26;
   painter.setFont(text_font(kNotePixels));
   painter.setPen(QColor(70, 70, 70));
-  QString note = QStringLiteral("Mean over seeds; Gaussian average, σ = %1 mm")
-                     .arg(field.averaging_width * 1e3, 0, 'g', 3);
+  QString note = (means ? QStringLiteral("Mean over seeds; ") : QString()) +
+                 QStringLiteral("Gaussian average, σ = %1 mm").arg(field.averaging_width * 1e3, 0, 'g', 3);
   if (has_azimuth(field)) note += QStringLiteral("; the shoe first arrives at 0° and leaves at 180°");
   if (!has_azimuth(field) && field.second_name == "y")
     note += QStringLiteral("; seen from above, mean over the height of the powder");
@@ -126,7 +137,7 @@ void draw_foot(QPainter& painter, double height, const results::Field2D& field, 
 
 ComparisonPicture compose_comparison(const std::vector<ComparedField>& fields, const std::string& title) {
   if (fields.empty()) throw std::runtime_error("cannot draw a comparison without fields");
-  for (const auto& [name, field] : fields) check_field(field);
+  for (const auto& one : fields) check_field(one.field);
   constexpr double kFromData = std::numeric_limits<double>::quiet_NaN();
   ComparisonPicture picture;
   const auto values = all_values(fields);
@@ -141,6 +152,7 @@ ComparisonPicture compose_comparison(const std::vector<ComparedField>& fields, c
   for (std::size_t k = 0; k < fields.size(); ++k) {
     picture.plots.push_back(axes);
     picture.plots.back().rect = grid.rect(k);
+    picture.names.push_back(name_above(fields[k], picture.plots.back().rect.width()));
     places.add(paint_panel(picture.image, picture.plots.back(), fields[k].field, picture.bar));
   }
   QPainter painter(&picture.image);
@@ -152,12 +164,12 @@ ComparisonPicture compose_comparison(const std::vector<ComparedField>& fields, c
     if (!lowest_in_column) plot.x.label.clear();
     if (!leftmost) plot.y.label.clear();
     draw_axes(painter, plot, picture.image.size());
-    draw_name(painter, plot.rect, fields[k].name);
+    draw_name(painter, plot.rect, picture.names[k]);
   }
   const double bar_height = std::min(grid.bottom() - grid.top, 900.0) - 2 * kBarPoint;
   const double bar_left = kWidth - kMargin - colour_bar_width(picture.bar);
   draw_colour_bar(painter, picture.bar, {bar_left, grid.top + kBarPoint, kBarWidth, bar_height});
-  draw_foot(painter, height, fields.front().field, places, picture.bar);
+  draw_foot(painter, height, fields, places, picture.bar);
   return picture;
 }
 

@@ -16,12 +16,14 @@ namespace diefill::render {
 struct ComparedField {
   std::string name;
   results::Field2D field;
+  std::size_t seeds = 0;  ///< that it is the mean of; 0: not said
 };
 
 /// A finished picture, with the geometry needed to read values from it.
 struct ComparisonPicture {
   QImage image;
-  std::vector<PlotArea> plots;  ///< one for each field
+  std::vector<PlotArea> plots;     ///< one for each field
+  std::vector<std::string> names;  ///< what stands above each
   ColourBar bar;
 };
 

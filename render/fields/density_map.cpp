@@ -5,6 +5,7 @@
 
 #include "process/results/places_without_value.h"
 #include "render/fields/arrow_painter.h"
+#include "render/fields/field_marks.h"
 #include "render/fields/field_sampler.h"
 #include "render/style/colour_map.h"
 #include "render/style/picture_file.h"
@@ -17,9 +18,9 @@ constexpr double kMargin = 36;
 constexpr double kBarGap = 44;  // between data rectangle and colour bar
 constexpr double kMapWidth = 1600, kMapHeight = 900;
 constexpr double kSectionSide = 1060;  // longest side of a section's data rectangle
-constexpr double kLeastSide = 90;      // a thinner rectangle gives up equal scales
-constexpr double kLeastBar = 420;
-constexpr double kLeastCanvas = 1000;
+constexpr double kMinSide = 90;        // a thinner rectangle gives up equal scales
+constexpr double kMinBar = 420;
+constexpr double kMinCanvas = 1000;
 constexpr double kNoteHeight = 44;
 
 struct Layout {
@@ -42,8 +43,8 @@ QSizeF plot_size(const results::Field2D& field, bool& equal_scales) {
   const double width = field.first.back() - field.first.front();
   const double height = field.second.back() - field.second.front();
   const double scale = kSectionSide / std::max(width, height);
-  equal_scales = std::min(width, height) * scale >= kLeastSide;
-  return {std::max(std::round(width * scale), kLeastSide), std::max(std::round(height * scale), kLeastSide)};
+  equal_scales = std::min(width, height) * scale >= kMinSide;
+  return {std::max(std::round(width * scale), kMinSide), std::max(std::round(height * scale), kMinSide)};
 }
 
 Layout lay_out_map(double heading, const PlotArea& axes, double bar_width, double foot) {
@@ -64,7 +65,7 @@ Layout lay_out_section(double heading, const PlotArea& axes, double bar_width, d
   layout.equal_scales = equal_scales;
   const double left = kMargin + left_margin(axes.y), right = kMargin + bar_width + kBarGap;
   const QSizeF plot = axes.rect.size();
-  const double body = std::max(plot.height(), kLeastBar);
+  const double body = std::max(plot.height(), kMinBar);
   const double top = kMargin + heading + 16;
   layout.canvas = {std::round(width), std::round(top + body + bottom_margin() + foot + kMargin)};
   const double indent = std::round(left + 0.5 * (width - left - right - plot.width()));
@@ -167,13 +168,14 @@ PlacesShown places_shown(const results::Field2D& field, const FieldStyle& style)
 }
 
 // Lines, arrows, axes and remarks over the coloured field.
-void draw_on_field(QPainter& painter, const PlotArea& plot, const QSizeF& canvas, bool azimuth,
-                   const FieldStyle& style) {
+void draw_on_field(QPainter& painter, const PlotArea& plot, const QSizeF& canvas,
+                   const results::Field2D& field, const FieldStyle& style) {
   draw_outlines(painter, plot, style.outlines);
   draw_fill_plane(painter, plot, style.fill_plane, !style.arrows.empty());
   draw_arrows(painter, plot, style);
   draw_axes(painter, plot, canvas);
-  if (azimuth) draw_markers(painter, plot, shoe_markers());
+  draw_field_marks(painter, plot, field, style);
+  if (has_azimuth(field)) draw_markers(painter, plot, shoe_markers());
 }
 
 }  // namespace
@@ -238,6 +240,18 @@ double value_at(const FieldSampler& sampler, const std::vector<ToolCrossings>& l
   return results::is_inside_tool(value) ? sampler.at_outside_tools(at.x(), at.y()) : value;
 }
 
+bool has_values(const results::Field2D& field) {
+  return std::ranges::any_of(field.value, [](double value) { return std::isfinite(value); });
+}
+
+/// The colour bar; words in the field where there is nothing to be coloured.
+void draw_bar(QPainter& painter, const FieldPicture& picture, const PlacesShown& places) {
+  if (!picture.bar_rect.isEmpty()) return draw_colour_bar(painter, picture.bar, picture.bar_rect);
+  draw_centred(painter, picture.plot.rect.center(),
+               places.several() ? QStringLiteral("no value") : QStringLiteral("no powder"), kLabelPixels,
+               picture.plot.rect.width());
+}
+
 }  // namespace
 
 PlacesShown paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field,
@@ -281,12 +295,12 @@ FieldPicture compose_field(const results::Field2D& field, const std::string& tit
   picture.plot = field_axes(field, size);
   double width = kMapWidth;
   if (is_section)
-    width = std::max({kLeastCanvas, 2 * kMargin + places.legend_width(),
+    width = std::max({kMinCanvas, 2 * kMargin + places.legend_width(),
                       2 * kMargin + left_margin(picture.plot.y) + size.width() + kBarGap + bar_width});
   const Heading heading(title, subtitle, width - 2 * kMargin);
-  const Layout layout =
-      is_section ? lay_out_section(heading.height(), picture.plot, bar_width, foot, equal_scales, width)
-                 : lay_out_map(heading.height(), picture.plot, bar_width, foot);
+  const double head = heading.height() + marks_legend_height(style);
+  const Layout layout = is_section ? lay_out_section(head, picture.plot, bar_width, foot, equal_scales, width)
+                                   : lay_out_map(head, picture.plot, bar_width, foot);
   picture.plot.rect = layout.plot;
   picture.image = white_canvas(static_cast<int>(layout.canvas.width()),
                                static_cast<int>(layout.canvas.height()), style.pixels);
@@ -295,16 +309,10 @@ FieldPicture compose_field(const results::Field2D& field, const std::string& tit
   QPainter painter(&picture.image);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   heading.draw(painter, kMargin, kMargin - 8);
-  draw_on_field(painter, picture.plot, layout.canvas, has_azimuth(field), style);
-  const auto has_value = [](double value) { return std::isfinite(value); };
-  if (std::any_of(field.value.begin(), field.value.end(), has_value)) {
-    picture.bar_rect = layout.bar;
-    draw_colour_bar(painter, picture.bar, layout.bar);
-  } else {
-    draw_centred(painter, layout.plot.center(),
-                 places.several() ? QStringLiteral("no value") : QStringLiteral("no powder"), kLabelPixels,
-                 layout.plot.width());
-  }
+  draw_marks_legend(painter, {kMargin, kMargin + heading.height()}, style);
+  draw_on_field(painter, picture.plot, layout.canvas, field, style);
+  if (has_values(field)) picture.bar_rect = layout.bar;
+  draw_bar(painter, picture, places);
   draw_foot(painter, layout.canvas, note_text(field, style, picture.bar, is_section && !equal_scales), places,
             picture.bar);
   return picture;

@@ -7,7 +7,7 @@
 #include "process/results/fill_result.h"
 #include "render/fields/field_style.h"
 #include "render/fields/pictures.h"
-#include "render/fields/place_look.h"
+#include "render/fields/place_style.h"
 #include "render/style/axes.h"
 #include "render/style/colour_bar.h"
 
@@ -33,7 +33,7 @@ FieldPicture compose_field(const results::Field2D& field, const std::string& tit
 PlotArea field_axes(const results::Field2D& field, const QSizeF& size);
 
 /// Colours the pixels of the data rectangle with the bar's scale, bilinear between nodes, and what has no
-/// value as place_look.h says; returns what that was.
+/// value as place_style.h says; returns what that was.
 PlacesShown paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field,
                         const ColourBar& bar, const FieldStyle& style = {});
 

@@ -14,6 +14,18 @@ namespace diefill::render {
 /// A line on the picture, in the field's coordinates.
 using Outline = std::vector<Eigen::Vector2d>;
 
+/// A star at a place of the field, and what it means.
+struct StarMark {
+  Eigen::Vector2d place;
+  std::string meaning;
+};
+
+/// A line through the places where the field has a value, and what it means.
+struct LevelLine {
+  double level = 0;
+  std::string meaning;
+};
+
 struct FieldStyle {
   bool diverging = false;   ///< a difference: colours run from less (blue) over 0 (white) to more (red)
   bool mark_mean = false;   ///< an arrow at the scale and a remark give the mean of the nodes with powder
@@ -29,7 +41,9 @@ struct FieldStyle {
   std::function<bool(double first, double second)> in_cavity;
   /// Second coordinate of the fill plane, marked by a line with its name; NaN: none.
   double fill_plane = std::numeric_limits<double>::quiet_NaN();
-  double pixels = 1;  ///< picture points a layout point: 2 doubles the resolution
+  std::vector<StarMark> stars;         ///< with a legend above the field
+  std::vector<LevelLine> level_lines;  ///< the same
+  double pixels = 1;                   ///< picture points a layout point: 2 doubles the resolution
 };
 
 }  // namespace diefill::render

@@ -147,16 +147,42 @@ Figure profile_picture(const results::CalibratedParameter& parameter, std::size_
   return chart_picture(chart, "misfit along " + parameter.key);
 }
 
+/// Where the best parameters lie on a map of two of them.
+StarMark best_mark(const results::CalibratedParameter& first, const results::CalibratedParameter& second) {
+  const auto place = [](const results::CalibratedParameter& parameter) {
+    return parameter.logarithmic ? std::log10(parameter.best) : parameter.best;
+  };
+  return {{place(first), place(second)}, "best powder"};
+}
+
+/// Maps over two parameters each, the first with the second, the third and so on.
+Figures parameter_maps(const results::Calibration& calibration) {
+  Figures maps{{}, true};
+  const auto& parameters = calibration.parameters;
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    for (std::size_t j = i + 1; j < parameters.size() && k < calibration.maps.size(); ++j) {
+      const auto& map = calibration.maps[k++];
+      FieldStyle style;
+      style.stars = {best_mark(parameters[i], parameters[j])};
+      if (std::isfinite(calibration.map_edge))
+        style.level_lines = {{calibration.map_edge, "edge of the powders that agree (90 %)"}};
+      maps.figures.push_back(field_picture(map, "Misfit in standard deviations",
+                                           "about 1 where the powder agrees", kRangeFromData,
+                                           map.first_name + " and " + map.second_name, style));
+    }
+  for (const auto& map : calibration.residual_maps) {
+    FieldStyle style;
+    if (parameters.size() > 1) style.stars = {best_mark(parameters[0], parameters[1])};
+    maps.figures.push_back(field_picture(map, map.quantity, "root mean square, in scaled coordinates",
+                                         kRangeFromData, map.quantity, style));
+  }
+  return maps;
+}
+
 Section region_section(const results::Calibration& calibration) {
   Section section{"What the data can tell, and what not", 1, {}};
-  Figures maps{{}, true}, profiles{{}, true};
-  for (const auto& map : calibration.maps)
-    maps.figures.push_back(field_picture(map, "Misfit in standard deviations",
-                                         "about 1 where the powder agrees", kRangeFromData,
-                                         map.first_name + " and " + map.second_name));
-  for (const auto& map : calibration.residual_maps)
-    maps.figures.push_back(field_picture(map, map.quantity, "root mean square, in scaled coordinates",
-                                         kRangeFromData, map.quantity));
+  Figures maps = parameter_maps(calibration), profiles{{}, true};
   for (const auto& parameter : calibration.parameters)
     profiles.figures.push_back(profile_picture(parameter, calibration.data));
   if (!maps.figures.empty()) section.blocks.emplace_back(std::move(maps));

@@ -214,13 +214,13 @@ Section differences(const std::vector<Strategy>& strategies) {
   Table figures{"Change of the mean", {"Strategy"}, {}, true};
   for (const char* column : kColumns) figures.header.push_back(column_title(column));
   Table scenes{"Lines of the scenes", {"Strategy", "Only in its scene", "Only in the first scene"}, {}};
-  const auto reference = telling_lines(first.first().scene_text);
+  const auto reference = effective_lines(first.first().scene_text);
   for (std::size_t n = 1; n < strategies.size(); ++n) {
     std::vector<std::string> row = {strategies[n].name};
     for (const char* column : kColumns)
       row.push_back(change(as_read(strategies[n], column), as_read(first, column)));
     figures.rows.push_back(row);
-    const auto lines = telling_lines(strategies[n].first().scene_text);
+    const auto lines = effective_lines(strategies[n].first().scene_text);
     scenes.rows.push_back(
         {strategies[n].name, lines_missing(reference, lines), lines_missing(lines, reference)});
   }

@@ -9,10 +9,10 @@ namespace diefill::render::report {
 /// Fill ratio delta over shoe speed v follows delta = (v_c / v)^n beyond the critical speed v_c (Sinka,
 /// Schneider and Cocks 2004, International Journal of Pharmaceutics 280).
 struct CriticalSpeed {
-  double speed = 0;     ///< m/s, v_c; NaN where it cannot be told
+  double speed = 0;     ///< m/s, v_c; NaN where it cannot be determined
   double exponent = 0;  ///< n
   int points = 0;       ///< incompletely filled runs that it comes from
-  /// m/s, ends of the 95 % interval; NaN where neither residuals nor scatter over seeds tell.
+  /// m/s, ends of the 95 % interval; NaN where neither residuals nor scatter over seeds determine them.
   double lower = 0, upper = 0;
   double fastest_full = 0, slowest_incomplete = 0;  ///< m/s, of the runs; NaN where there is none
   double extrapolation = 1;  ///< how many times v_c lies beyond the speeds that were run; 1: among them

@@ -15,7 +15,7 @@ struct LiveCurve {
   std::vector<double> x, y;  ///< x: s
 };
 
-/// What a page tells of one run, or of several.
+/// Content of a page about one run, or several.
 struct LivePage {
   std::string title, subtitle;
   bool over = false;  ///< the page then stays as it is
@@ -31,7 +31,7 @@ struct LivePage {
   std::vector<std::string> links;              ///< one a row, relative to the page
 };
 
-/// s between two looks of the browser.
+/// s between two reloads by the browser.
 inline constexpr int kLiveRefresh = 5;
 
 /// The whole page.

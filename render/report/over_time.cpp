@@ -13,7 +13,7 @@ using results::FillResult;
 using results::ProbeColumn;
 using results::ProbeSeries;
 
-constexpr std::size_t kMostCharts = 12;
+constexpr std::size_t kMaxCharts = 12;
 constexpr const char* kZoneColumn = "solid fraction";
 constexpr std::size_t kManyRows = 40;  // beyond, marks on the curve run into each other
 
@@ -86,7 +86,7 @@ Section over_time_section(const FillResult& result) {
   Section section{"Over time", 1, {}};
   std::vector<Figure> figures;
   const auto add = [&](const Chart& chart, const std::string& caption) {
-    if (has_points(chart) && figures.size() < kMostCharts) figures.push_back(chart_picture(chart, caption));
+    if (has_points(chart) && figures.size() < kMaxCharts) figures.push_back(chart_picture(chart, caption));
   };
   if (std::any_of(result.probes.begin(), result.probes.end(), is_zone))
     add(zones_chart(result), "Zones at the stored instants; no value on too few grains.");

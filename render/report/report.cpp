@@ -41,7 +41,7 @@ Section view_section(const std::vector<const Run*>& runs, const ColourRange& ran
   std::vector<ViewedRun> viewed;
   for (std::size_t n = 0; n < runs.size(); ++n) {
     if (!has_something_to_show(*runs[n])) continue;
-    if (measure && viewed.size() < kMostViewedRuns) extras[n] = measure(runs[n]->result);
+    if (measure && viewed.size() < kMaxViewedRuns) extras[n] = measure(runs[n]->result);
     const std::string name = runs[n]->strategy.empty() ? runs[n]->name : runs[n]->strategy;
     viewed.push_back({runs.size() > 1 ? name : "", &runs[n]->result, &extras[n]});
   }

@@ -16,7 +16,7 @@ namespace diefill::render::report {
 struct Run {
   std::string name;
   results::FillResult result;
-  std::string strategy;  ///< that it is a run of, where a comparison says so; empty: told from the scene
+  std::string strategy;  ///< that it is a run of, where a comparison says so; empty: derived from the scene
   /// The same result as of each further cavity of the die, for maps of their own; empty where there is one.
   std::vector<results::FillResult> other_cavities = {};
   std::vector<results::MeasuredComparison> measured = {};  ///< what the result is compared with

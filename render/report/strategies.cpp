@@ -30,7 +30,7 @@ std::string identity(const Run& run) {
   if (!run.strategy.empty()) return run.strategy;
   const auto& result = run.result;
   std::string text = result.strategy + '\n' + result.powder_name + '\n';
-  for (const auto& line : telling_lines(result.scene_text)) text += '\n' + line;
+  for (const auto& line : effective_lines(result.scene_text)) text += '\n' + line;
   for (const auto& tool : result.tools) text += '\n' + tool.mesh_hash;
   return text;
 }
@@ -71,7 +71,7 @@ std::vector<Strategy> strategies_of(const std::vector<Run>& runs) {
   return strategies;
 }
 
-std::vector<std::string> telling_lines(const std::string& scene_text) {
+std::vector<std::string> effective_lines(const std::string& scene_text) {
   std::vector<std::string> lines;
   std::istringstream text(scene_text);
   for (std::string line; std::getline(text, line);) {
@@ -85,7 +85,7 @@ bool series_over_speed(const std::vector<Strategy>& strategies) {
   std::set<std::vector<std::string>> scenes;
   std::set<double> speeds;
   for (const auto& strategy : strategies) {
-    auto lines = telling_lines(strategy.first().scene_text);
+    auto lines = effective_lines(strategy.first().scene_text);
     std::erase_if(lines, [](const std::string& line) { return sets(line, "velocity"); });
     scenes.insert(lines);
     const double speed = figure(strategy.first(), "shoe_speed_m_s");

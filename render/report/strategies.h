@@ -23,7 +23,7 @@ struct Strategy {
 std::vector<Strategy> strategies_of(const std::vector<Run>& runs);
 
 /// The scene file's lines that say something, without comments, outer blanks and the seed.
-std::vector<std::string> telling_lines(const std::string& scene_text);
+std::vector<std::string> effective_lines(const std::string& scene_text);
 
 /// True where the scenes differ only in title, seed and the lines that begin with `velocity`.
 bool series_over_speed(const std::vector<Strategy>& strategies);

@@ -18,6 +18,7 @@
 
 #include "render/offscreen/offscreen.h"
 #include "render/scene3d/mesh_polydata.h"
+#include "render/style/label_placement.h"
 #include "render/style/picture_file.h"
 #include "render/style/text.h"
 
@@ -25,7 +26,7 @@ namespace diefill::render {
 namespace {
 
 constexpr int kWidth = 1600, kHeight = 1100, kLegendWidth = 500, kMargin = 36, kOversampling = 2;
-constexpr std::size_t kMostLines = 12;
+constexpr std::size_t kMaxLines = 12;
 constexpr double kMetresToMillimetres = 1e3;  // single precision in the renderer likes numbers near one
 constexpr double kSharpEdge = 25;             // degrees
 
@@ -129,47 +130,90 @@ QColor colour_of(MarkKind kind) {
   return kind == MarkKind::kCare ? QColor(222, 120, 0) : QColor(20, 95, 170);
 }
 
+constexpr double kNumberRadius = 17, kDotRadius = 7;
+
 void draw_number(QPainter& painter, const QPointF& at, std::size_t number, const QColor& colour) {
-  constexpr double kRadius = 17;
   painter.setPen(QPen(Qt::white, 2));
   painter.setBrush(colour);
-  painter.drawEllipse(at, kRadius, kRadius);
+  painter.drawEllipse(at, kNumberRadius, kNumberRadius);
   painter.setPen(Qt::white);
   painter.setFont(text_font(22, true));
   painter.drawText(QRectF(at.x() - 20, at.y() - 20, 40, 40), Qt::AlignCenter, QString::number(number));
 }
 
-/// Dots at every place, and the number beside the first one.
-std::vector<QPointF> draw_marks(QPainter& painter, const QRectF& scene, const View& view,
-                                const FindingMark& finding, std::size_t number) {
-  std::vector<QPointF> dots;
-  for (const auto& place : finding.places) dots.push_back(place_on(scene, view, place));
-  painter.setPen(QPen(Qt::white, 1.5));
-  painter.setBrush(colour_of(finding.kind));
-  for (const auto& dot : dots) painter.drawEllipse(dot, 7, 7);
-  if (!dots.empty()) {
-    const QPointF label = dots.front() + QPointF(26, -26);
-    painter.setPen(QPen(colour_of(finding.kind), 3));
-    painter.drawLine(dots.front(), label);
-    draw_number(painter, label, number, colour_of(finding.kind));
+/// Dots at every place; those of the first finding lie on top.
+std::vector<std::vector<QPointF>> draw_dots(QPainter& painter, const QRectF& scene, const View& view,
+                                            const std::vector<FindingMark>& findings) {
+  std::vector<std::vector<QPointF>> marks(findings.size());
+  for (std::size_t k = findings.size(); k-- > 0;) {
+    for (const auto& place : findings[k].places) marks[k].push_back(place_on(scene, view, place));
+    painter.setPen(QPen(Qt::white, 1.5));
+    painter.setBrush(colour_of(findings[k].kind));
+    for (const auto& dot : marks[k]) painter.drawEllipse(dot, kDotRadius, kDotRadius);
   }
-  return dots;
+  return marks;
 }
 
-void draw_legend(QPainter& painter, const QRectF& area, const std::vector<FindingMark>& findings) {
-  double top = area.top();
-  painter.setClipRect(area);
-  for (std::size_t k = 0; k < std::min(findings.size(), kMostLines); ++k) {
-    draw_number(painter, {area.left() + 18, top + 20}, k + 1, colour_of(findings[k].kind));
-    painter.setPen(Qt::black);
-    painter.setFont(text_font(kNotePixels));
-    const QRectF space(area.left() + 48, top + 4, area.width() - 48, area.bottom() - top);
-    QRectF used;
-    painter.drawText(space, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
-                     QString::fromStdString(findings[k].words), &used);
-    top += std::max(40.0, used.height()) + 14;
-    if (top > area.bottom() - 40) return;
+/// Numbers of the first findings, those `explained`, beside their first dots: within the scene, off each
+/// other and off other dots.
+std::vector<QRectF> draw_numbers(QPainter& painter, const QRectF& scene, std::size_t explained,
+                                 const std::vector<FindingMark>& findings,
+                                 const std::vector<std::vector<QPointF>>& marks) {
+  std::vector<LabelledPoint> points;
+  std::vector<std::size_t> numbered;
+  std::vector<QRectF> taken;
+  for (std::size_t k = 0; k < marks.size(); ++k) {
+    for (const QPointF& dot : marks[k])
+      taken.emplace_back(dot.x() - kDotRadius, dot.y() - kDotRadius, 2 * kDotRadius, 2 * kDotRadius);
+    if (marks[k].empty() || k >= explained) continue;
+    points.push_back({marks[k].front(), QSizeF(2 * kNumberRadius, 2 * kNumberRadius), kDotRadius});
+    numbered.push_back(k);
   }
+  const auto labels = place_labels(points, scene.adjusted(4, 4, -4, -4), taken);
+  for (std::size_t n = labels.size(); n-- > 0;) {
+    const QColor colour = colour_of(findings[numbered[n]].kind);
+    painter.setPen(QPen(colour, 3));
+    painter.drawLine(points[n].at, labels[n].center());
+    draw_number(painter, labels[n].center(), numbered[n] + 1, colour);
+  }
+  return labels;
+}
+
+/// Words, each shortened where it alone is wider than a line.
+QString breakable(const std::string& words, double width, const QFont& font) {
+  QStringList each = QString::fromStdString(words).split(' ');
+  for (QString& word : each) word = QFontMetricsF(font).elidedText(word, Qt::ElideRight, width);
+  return each.join(' ');
+}
+
+/// A number and its words for each finding, as many as there is room for; returns where they stand.
+std::vector<QRectF> draw_legend(QPainter& painter, const QRectF& area,
+                                const std::vector<FindingMark>& findings) {
+  constexpr double kBesideNumber = 48, kBetween = 14, kMinHeight = 40;
+  constexpr int kFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+  const QFont font = text_font(kNotePixels);
+  std::vector<QRectF> lines;
+  double top = area.top();
+  for (std::size_t k = 0; k < findings.size(); ++k) {
+    const QString words = breakable(findings[k].words, area.width() - kBesideNumber, font);
+    QRectF space(area.left() + kBesideNumber, top + 4, area.width() - kBesideNumber, area.height());
+    space.setHeight(QFontMetricsF(font).boundingRect(space, kFlags, words).height());
+    const double height = std::max(kMinHeight, 4 + space.height());
+    painter.setFont(font);
+    painter.setPen(Qt::black);
+    // The last line that fits says how many findings do not.
+    const bool is_last = k + 1 == findings.size();
+    if (k >= kMaxLines || top + height + (is_last ? 0 : kBetween + kMinHeight) > area.bottom()) {
+      painter.drawText(QRectF(area.left(), top, area.width(), kMinHeight), Qt::AlignLeft | Qt::AlignVCenter,
+                       QStringLiteral("and %1 more").arg(findings.size() - k));
+      break;
+    }
+    painter.drawText(space, kFlags, words);
+    draw_number(painter, {area.left() + 18, top + 20}, k + 1, colour_of(findings[k].kind));
+    lines.emplace_back(area.left(), top, area.width(), height);
+    top += height + kBetween;
+  }
+  return lines;
 }
 
 }  // namespace
@@ -189,9 +233,10 @@ FindingsPicture compose_findings(const std::vector<MarkedPart>& parts,
   painter.setPen(QPen(QColor(150, 150, 150), 1.5));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(scene);
-  for (std::size_t k = findings.size(); k-- > 0;)
-    picture.marks.insert(picture.marks.begin(), draw_marks(painter, scene, view, findings[k], k + 1));
-  draw_legend(painter, QRectF(scene.right() + kMargin, top, kLegendWidth, scene.height()), findings);
+  picture.marks = draw_dots(painter, scene, view, findings);
+  picture.legend =
+      draw_legend(painter, QRectF(scene.right() + kMargin, top, kLegendWidth, scene.height()), findings);
+  picture.numbers = draw_numbers(painter, scene, picture.legend.size(), findings, picture.marks);
   return picture;
 }
 

@@ -3,6 +3,7 @@
 
 #include <QImage>
 #include <QPointF>
+#include <QRectF>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,13 @@ namespace diefill::render {
 struct FindingsPicture {
   QImage image;
   std::vector<std::vector<QPointF>> marks;  ///< pixels, one a place, by finding
+  std::vector<QRectF> numbers;              ///< beside the first place of each finding of the legend
+  std::vector<QRectF> legend;               ///< lines of the findings that it explains
 };
 
-/// Draws all parts seen from the front, right and above. Findings beyond the twelfth have marks without lines
-/// in the legend. Throws std::runtime_error when no software renderer is available.
+/// Draws all parts seen from the front, right and above. The legend explains up to twelve findings and says
+/// how many more there are; those have dots without number. Throws std::runtime_error when no software
+/// renderer is available.
 FindingsPicture compose_findings(const std::vector<MarkedPart>& parts,
                                  const std::vector<FindingMark>& findings, const std::string& title);
 

@@ -70,13 +70,13 @@ void draw_arrow(QPainter& painter, const QPointF& from, const QPointF& to, const
 
 // The axes as a turned eye sees them; one that points at the eye is left out.
 void draw_turned_triad(QPainter& painter, const QPointF& origin, const ViewChoice& view) {
-  constexpr double kLength = 52, kLeast = 12;
+  constexpr double kLength = 52, kMin = 12;
   const ViewAxes axes = view_axes(view);
   const std::array<QString, 3> names = {"x", "y", "z"};
   for (int n = 0; n < 3; ++n) {
     const QPointF arrow(kLength * axes.right[n], -kLength * axes.up[n]);
     const double length = std::hypot(arrow.x(), arrow.y());
-    if (length > kLeast)
+    if (length > kMin)
       draw_arrow(painter, origin, origin + arrow, names[n], origin + arrow * (1 + 18 / length));
   }
 }
@@ -136,6 +136,29 @@ QRectF scene_rect(const Heading& heading, bool has_bar) {
   return {QPointF(kMargin, top), QPointF(right, kHeight - kFoot - kMargin / 2)};
 }
 
+/// The grains and tools in their frame, and the scale bar's length.
+void draw_scene(QPainter& painter, SnapshotPicture& picture, const results::FillResult& result,
+                const std::vector<double>& values, const ViewOptions& options) {
+  std::vector<Rgb> colours;
+  for (const double value : values)
+    colours.push_back(value_colour(value, picture.bar.range.lower, picture.bar.range.upper));
+  const QSize size = (picture.scene.toRect().size().toSizeF() * options.pixels).toSize();
+  painter.drawImage(QRectF(picture.scene.topLeft(), picture.scene.toRect().size()),
+                    draw_grains(result, colours, picture.view, size.width(), size.height(), options.look));
+  painter.setPen(QPen(QColor(150, 150, 150), 1.5));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(picture.scene);
+  picture.scale_bar = scale_bar_length(1e3 * picture.view.width);
+  picture.scale_pixels = picture.scale_bar / (1e3 * picture.view.width) * picture.scene.width();
+}
+
+void draw_bar_beside(QPainter& painter, SnapshotPicture& picture) {
+  const double height = std::min(760.0, picture.scene.height() - 2 * kBarPoint);
+  picture.bar_rect = QRectF(picture.scene.right() + 44, std::round(picture.scene.center().y() - 0.5 * height),
+                            kBarWidth, std::round(height));
+  draw_colour_bar(painter, picture.bar, picture.bar_rect);
+}
+
 }  // namespace
 
 SnapshotPicture compose_snapshot(const results::FillResult& result, const ViewOptions& options) {
@@ -146,10 +169,6 @@ SnapshotPicture compose_snapshot(const results::FillResult& result, const ViewOp
   picture.image = white_canvas(kWidth, kHeight, options.pixels);
   picture.bar =
       make_colour_bar(axis_label(options.quantity, options.unit), values, {options.lower, options.upper});
-  std::vector<Rgb> colours;
-  for (const double value : values)
-    colours.push_back(value_colour(value, picture.bar.range.lower, picture.bar.range.upper));
-
   QPainter painter(&picture.image);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   const Heading heading = heading_of(result);
@@ -163,23 +182,10 @@ SnapshotPicture compose_snapshot(const results::FillResult& result, const ViewOp
                  picture.scene.width());
     return picture;
   }
-  const QSize size = (picture.scene.toRect().size().toSizeF() * options.pixels).toSize();
-  painter.drawImage(QRectF(picture.scene.topLeft(), picture.scene.toRect().size()),
-                    draw_grains(result, colours, picture.view, size.width(), size.height(), options.look));
-  painter.setPen(QPen(QColor(150, 150, 150), 1.5));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawRect(picture.scene);
-  picture.scale_bar = scale_bar_length(1e3 * picture.view.width);
-  picture.scale_pixels = picture.scale_bar / (1e3 * picture.view.width) * picture.scene.width();
+  draw_scene(painter, picture, result, values, options);
   draw_foot(painter, picture,
             closed < values.size() ? QString::fromStdString(options.grey_means) : QString());
-  if (closed) {
-    const double height = std::min(760.0, picture.scene.height() - 2 * kBarPoint);
-    picture.bar_rect =
-        QRectF(picture.scene.right() + 44, std::round(picture.scene.center().y() - 0.5 * height), kBarWidth,
-               std::round(height));
-    draw_colour_bar(painter, picture.bar, picture.bar_rect);
-  }
+  if (closed > 0) draw_bar_beside(painter, picture);
   return picture;
 }
 

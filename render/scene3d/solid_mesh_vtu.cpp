@@ -9,6 +9,7 @@
 #include <vtkExecutive.h>
 #include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
+#include <vtkLogger.h>
 #include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -19,7 +20,11 @@
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -37,19 +42,46 @@ void note_error(vtkObject*, unsigned long, void* client, void* message) {
   if (first.empty() && message != nullptr) first = static_cast<const char*>(message);
 }
 
-/// While it lives, what VTK would print goes nowhere: one line of our own says what is wrong.
+/// While it lives, what VTK would print and log goes nowhere: one line of our own says what is wrong.
 class SilentVtk {
  public:
   SilentVtk() : before_(vtkOutputWindow::GetInstance()) {
     vtkOutputWindow::SetInstance(vtkSmartPointer<vtkStringOutputWindow>::New());
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   }
-  ~SilentVtk() { vtkOutputWindow::SetInstance(before_); }
+  ~SilentVtk() {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);  // as it is at the start of a program
+    vtkOutputWindow::SetInstance(before_);
+  }
   SilentVtk(const SilentVtk&) = delete;
   SilentVtk& operator=(const SilentVtk&) = delete;
 
  private:
   vtkSmartPointer<vtkOutputWindow> before_;
 };
+
+/// Throws std::invalid_argument where the file announces more points or cells than it can hold, for which VTK
+/// would ask for the memory.
+void refuse_excessive_counts(const std::filesystem::path& file) {
+  constexpr std::size_t kHead = 65536;  // bytes; the counts stand before the data
+  constexpr double kMostOfByte = 100;   // deflate makes a thousand bytes one at best, a point has twelve
+  std::string head(kHead, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(head.data(), static_cast<std::streamsize>(kHead));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
+  const auto bytes = static_cast<double>(std::filesystem::file_size(file));
+  for (const std::string what : {"Points", "Cells"}) {
+    const std::string key = "NumberOf" + what + "=\"";
+    const std::size_t place = head.find(key);
+    if (place == std::string::npos) continue;
+    const double count = std::strtod(head.c_str() + place + key.size(), nullptr);
+    if (count > kMostOfByte * bytes)
+      throw std::invalid_argument("announces " +
+                                  head.substr(place, head.find('"', place + key.size()) - place + 1) +
+                                  ", more than its " + std::to_string(static_cast<long long>(bytes)) +
+                                  " bytes can hold; it may be cut short or damaged: write it again");
+  }
+}
 
 vtkSmartPointer<vtkUnstructuredGrid> grid_in(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) throw std::invalid_argument("found no such file");
@@ -61,6 +93,7 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_in(const std::filesystem::path& file) 
   if (kind != "UnstructuredGrid")
     throw std::invalid_argument("found " + (kind.empty() ? "no VTK file" : "VTK data of kind " + kind) +
                                 ", expected an UnstructuredGrid (.vtu)");
+  refuse_excessive_counts(file);
   std::string complaint;
   const auto listener = vtkSmartPointer<vtkCallbackCommand>::New();
   listener->SetCallback(note_error);
@@ -71,7 +104,12 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_in(const std::filesystem::path& file) 
   reader->SetReaderErrorObserver(listener);
   reader->SetParserErrorObserver(listener);
   reader->SetFileName(file.c_str());
-  reader->Update();
+  try {
+    reader->Update();
+  } catch (const std::bad_alloc&) {
+    throw std::invalid_argument(
+        "announces more data than there is memory for; it may be damaged: write it again");
+  }
   if (!complaint.empty() || reader->GetErrorCode() != 0)
     throw std::invalid_argument("VTK cannot read it; it may be cut short or damaged: write it again");
   return reader->GetOutput();

@@ -7,7 +7,7 @@
 namespace diefill::render {
 namespace {
 
-constexpr int kMostLines = 2;
+constexpr int kMaxLines = 2;
 const QColor kSubtitleColour(70, 70, 70);
 
 int line_count(const QString& text, const QFont& font, double width) {
@@ -24,7 +24,7 @@ int line_count(const QString& text, const QFont& font, double width) {
 
 // Drops characters from the end, and puts an ellipsis, until the text fits.
 QString shorten(QString text, const QFont& font, double width) {
-  while (text.size() > 1 && line_count(text + QChar(0x2026), font, width) > kMostLines) text.chop(1);
+  while (text.size() > 1 && line_count(text + QChar(0x2026), font, width) > kMaxLines) text.chop(1);
   return text.trimmed() + QChar(0x2026);
 }
 
@@ -57,10 +57,10 @@ Heading::Block Heading::fit(const std::string& text, int pixels, int least_pixel
   if (line_count(block.text, block.font, width) > 1) {
     int size = pixels;
     for (block.font = text_font(size, bold);
-         size > least_pixels && line_count(block.text, block.font, width) > kMostLines;)
+         size > least_pixels && line_count(block.text, block.font, width) > kMaxLines;)
       block.font = text_font(--size, bold);
   }
-  if (line_count(block.text, block.font, width) > kMostLines)
+  if (line_count(block.text, block.font, width) > kMaxLines)
     block.text = shorten(block.text, block.font, width);
   block.height = line_count(block.text, block.font, width) * QFontMetricsF(block.font).lineSpacing() + 4;
   return block;

@@ -31,7 +31,7 @@ struct RayHit {
   bool triangle = false;
 };
 
-/// Embree's hierarchies over one set of spheres and one of triangles. Questions may be asked from all
+/// Embree's hierarchies over one set of spheres and one of triangles. Queries may come from all
 /// threads.
 class RayScene {
  public:

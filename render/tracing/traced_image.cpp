@@ -107,9 +107,9 @@ class Tracer {
 
   /// Adds up the surfaces in front of the point.
   void look_through(Point& point, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) const {
-    constexpr int kMostSurfaces = 24;
+    constexpr int kMaxSurfaces = 24;
     float nearest = 0;
-    for (int n = 0; n < kMostSurfaces; ++n) {
+    for (int n = 0; n < kMaxSurfaces; ++n) {
       const RayHit hit = translucent_->first_hit(origin, direction, nearest);
       if (!(hit.distance < point.distance)) return;
       // Edges of a glassy body show: the flatter a ray meets it, the more it sees of it.

@@ -19,7 +19,7 @@ namespace diefill::engine {
 namespace {
 
 constexpr double kRadius = 1.5e-4, kClumpRadius = 7.84e-5, kDensity = 5400;  // m, m, kg/m^3
-constexpr int kFewestFalls = 6, kFall = 5000;                                // steps of 2e-6 s
+constexpr int kMinFalls = 6, kFall = 5000;                                   // steps of 2e-6 s
 
 /// Grains of a bed: their types, and how many of a hundred are of each.
 struct Powder {
@@ -111,7 +111,7 @@ std::unique_ptr<Simulation> bed_of(const Powder& powder, bool clumps, std::size_
   simulation->add_grains(added);
   // Until contacts do not become more: large grains leave small ones far to fall.
   std::uint64_t before = 0;
-  for (int fall = 0; fall < kFewestFalls || simulation->touching_pairs() > before + before / 50; ++fall) {
+  for (int fall = 0; fall < kMinFalls || simulation->touching_pairs() > before + before / 50; ++fall) {
     before = simulation->touching_pairs();
     for (int k = 0; k < kFall; ++k) simulation->step();
   }

@@ -36,8 +36,8 @@ std::vector<Eigen::Vector3d> places_near(const Mesh& mesh, double reach) {
     const Corners corners = corners_of(mesh, any(random));
     double u = part(random), v = part(random);
     if (u + v > 1) u = 1 - u, v = 1 - v;
-    const Eigen::Vector3d aside(part(random) - 0.5, part(random) - 0.5, part(random) - 0.5);
-    place = corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]) + 2 * reach * aside;
+    const Eigen::Vector3d lateral(part(random) - 0.5, part(random) - 0.5, part(random) - 0.5);
+    place = corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]) + 2 * reach * lateral;
   }
   return places;
 }

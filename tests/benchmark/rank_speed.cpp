@@ -74,16 +74,16 @@ void compare(process::cluster::RankEngine& ranks, int grains, int steps) {
   engine::run_steps(simulation, steps);
   report("built-in", simulation, steps, alone);
   engine.step(simulation, simulation.steps() + 1);
-  engine.show_contacts(simulation);
+  engine.sync_contacts(simulation);
   const Watch together;
   for (int k = 0; k < steps; ++k) engine.step(simulation, (simulation.steps() / 10 + 1) * 10);
   report("on ranks", simulation, steps, together);
   const auto spheres = static_cast<double>(simulation.grains().size() * simulation.types().spheres());
   const Watch grains_shown;
-  engine.show_grains(simulation);
+  engine.sync_grains(simulation);
   std::printf("grains shown in %.3g ns a sphere, ", 1e9 * grains_shown.processor() / spheres);
   const Watch contacts_shown;
-  engine.show_contacts(simulation);
+  engine.sync_contacts(simulation);
   std::printf("contacts in %.3g ns a sphere\n", 1e9 * contacts_shown.processor() / spheres);
   std::printf("%s\n", engine.description().c_str());
 }

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "engine/simulation/simulation.h"
-#include "process/laboratory/race_bed.h"
+#include "process/laboratory/benchmark_bed.h"
 
 namespace diefill {
 namespace {
@@ -268,8 +268,8 @@ double own_step(engine::Simulation& simulation, double spheres, int steps) {
   return 1e9 * (processor_time() - began) / (spheres * steps);
 }
 
-void race(process::laboratory::RaceBed kind, const std::string& file, int repeats) {
-  const auto bed = process::laboratory::read_race_bed(kind, file);
+void race(process::laboratory::BenchmarkBed kind, const std::string& file, int repeats) {
+  const auto bed = process::laboratory::read_benchmark_bed(kind, file);
   engine::Simulation simulation(bed.settings, bed.walls);
   simulation.add_grains(bed.grains);
   for (int k = 0; k < 100; ++k) simulation.step();
@@ -326,11 +326,12 @@ void race(process::laboratory::RaceBed kind, const std::string& file, int repeat
 }  // namespace diefill
 
 int main(int count, char** words) {
-  using diefill::process::laboratory::RaceBed;
+  using diefill::process::laboratory::BenchmarkBed;
   if (count < 3) {
     std::fputs("usage: single_precision spheres|clumps BED.csv.gz [REPEATS]\n", stderr);
     return 2;
   }
   const bool clumps = std::string(words[1]) == "clumps";
-  diefill::race(clumps ? RaceBed::clumps : RaceBed::spheres, words[2], count > 3 ? std::atoi(words[3]) : 7);
+  diefill::race(clumps ? BenchmarkBed::clumps : BenchmarkBed::spheres, words[2],
+                count > 3 ? std::atoi(words[3]) : 7);
 }

@@ -12,9 +12,9 @@ using engine::NewGrain;
 constexpr double kAlike = 1e-10;
 
 /// Two grains that meet off-centre, spinning.
-std::vector<NewGrain> glancing(double apart, double aside) {
+std::vector<NewGrain> glancing(double apart, double lateral) {
   NewGrain left, right;
-  left.position = {-0.5 * apart, 0, 0.5 * aside};
+  left.position = {-0.5 * apart, 0, 0.5 * lateral};
   left.velocity = {0.1, 0.02, 0};
   left.angular_velocity = {30, 200, -50};
   right.position = -left.position;

@@ -17,7 +17,7 @@ inline void run_on_ranks(engine::Simulation& simulation, std::uint64_t steps, st
   const std::uint64_t end = simulation.steps() + steps;
   while (simulation.steps() < end)
     ranks.step(simulation, std::min(end, (simulation.steps() / every + 1) * every));
-  ranks.show_contacts(simulation);
+  ranks.sync_contacts(simulation);
 }
 
 /// Two simulations of the same settings, walls and grains, for either engine.

@@ -14,7 +14,7 @@ namespace diefill::engine {
 
 /// How two grains meet: arm tip to arm tip; one turned by 45 degrees about y; at random orientations with an
 /// impact parameter of one sphere radius.
-enum class Encounter { tip_to_tip, turned, oblique };
+enum class PairCollision { tip_to_tip, turned, oblique };
 
 /// One collision; entry k of each array belongs to step k. All dimensionless but the energy density (J/m^3).
 struct CollisionCurve {
@@ -37,20 +37,20 @@ inline coarse_graining::Material table_c1() {
 }
 
 /// The two grains at relative speed 0.2 m/s along x, surfaces at least 0.01 d apart.
-inline std::vector<NewGrain> two_grains(Encounter encounter, double radius) {
+inline std::vector<NewGrain> two_grains(PairCollision encounter, double radius) {
   const double size = 6 * radius, speed = 0.2;
   NewGrain left, right;
   left.velocity = {0.5 * speed, 0, 0};
   right.velocity = -left.velocity;
   double apart = 1.01 * size;
-  if (encounter == Encounter::turned) {
+  if (encounter == PairCollision::turned) {
     // The tip of the one goes between two arms of the other, which reach sqrt(2) R along x; just off the
     // middle, so that contacts slide.
     right.orientation = {std::cos(std::numbers::pi / 8), 0, std::sin(std::numbers::pi / 8), 0};
     apart = (3 + std::sqrt(2.0) + 1) * radius + 0.01 * size;
     left.position.z() = 0.2 * radius;
   }
-  if (encounter == Encounter::oblique) {
+  if (encounter == PairCollision::oblique) {
     std::mt19937_64 random(1);
     left.orientation = random_orientation(random);
     right.orientation = random_orientation(random);
@@ -62,8 +62,8 @@ inline std::vector<NewGrain> two_grains(Encounter encounter, double radius) {
 }
 
 /// Runs one encounter without gravity and air; 2.5e-7 s a step at d = 0.47 mm, in proportion to d elsewhere.
-inline CollisionCurve collide(const coarse_graining::Material& material, Encounter encounter, LeverArm arm,
-                              int steps) {
+inline CollisionCurve collide(const coarse_graining::Material& material, PairCollision encounter,
+                              LeverArm arm, int steps) {
   const double radius = material.sphere_radius, size = 6 * radius;
   SimulationSettings settings;
   settings.types = {{model_d(radius, material.grain_mass)}};

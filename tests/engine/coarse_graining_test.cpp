@@ -12,7 +12,7 @@ namespace {
 constexpr int kSteps = 2000;
 
 struct EncounterCase {
-  Encounter encounter;
+  PairCollision encounter;
   LeverArm arm;
 };
 
@@ -58,7 +58,7 @@ TEST_P(CoarseGraining, CurvesSpreadWithFixedTangentialSpringUnlessHeadOn) {
   for (const double scale : {2.0, 4.0}) {
     auto material = coarse_graining::bierwisch(table_c1(), scale);
     material.tangential = table_c1().tangential;
-    if (GetParam().encounter == Encounter::tip_to_tip) {
+    if (GetParam().encounter == PairCollision::tip_to_tip) {
       EXPECT_LT(lost(material), 1e-6);
     } else {
       EXPECT_GT(lost(material), 0.02);
@@ -73,11 +73,11 @@ std::string name_of(const ::testing::TestParamInfo<EncounterCase>& instance) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Encounters, CoarseGraining,
-                         ::testing::Values(EncounterCase{Encounter::tip_to_tip, LeverArm::center},
-                                           EncounterCase{Encounter::turned, LeverArm::center},
-                                           EncounterCase{Encounter::turned, LeverArm::contact},
-                                           EncounterCase{Encounter::oblique, LeverArm::center},
-                                           EncounterCase{Encounter::oblique, LeverArm::contact}),
+                         ::testing::Values(EncounterCase{PairCollision::tip_to_tip, LeverArm::center},
+                                           EncounterCase{PairCollision::turned, LeverArm::center},
+                                           EncounterCase{PairCollision::turned, LeverArm::contact},
+                                           EncounterCase{PairCollision::oblique, LeverArm::center},
+                                           EncounterCase{PairCollision::oblique, LeverArm::contact}),
                          name_of);
 
 TEST(CoarseGrainingRule, ScalesWhatTheThesisScales) {

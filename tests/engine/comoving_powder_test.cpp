@@ -52,7 +52,7 @@ Simulation filled_tray(Model model, bool carries, int threads = 1, double floor_
   ContactParameters floor = wall_contact(settings);
   floor.friction = floor_friction;
   settings.contact.pairs.push_back({kPowderMaterial, "floor", laws::bierwisch_law(floor)});
-  if (carries) settings.sleep = riding_on(kTray);
+  if (carries) settings.sleep = co_moving_with(kTray);
   const double size = grain_size(model);
   Simulation simulation(settings, tray_on_floor(3.5 * size));
   simulation.add_grains(converging_cloud({6, 6, 5}, 1.1 * size, 0.02, seed, {0, 0, 2.8 * size}));

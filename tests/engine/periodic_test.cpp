@@ -97,10 +97,10 @@ TEST(Periodic, PowderDriftingFarLosesNoContactWhenGrainsLeave) {
   // The list ages by motion against the mean drift only: grains may be whole periods away from the box when
   // one of them is taken out.
   for (const int order : {0, 1}) {
-    const Eigen::Vector3d still = separation_after_removal(0, order);
-    EXPECT_GT(still.x(), 0.01);
+    const Eigen::Vector3d static_normal = separation_after_removal(0, order);
+    EXPECT_GT(static_normal.x(), 0.01);
     for (const double drift : {-20.0, 10.0, 20.0, 30.0})
-      EXPECT_LT((separation_after_removal(drift, order) - still).norm(), 1e-6) << drift;
+      EXPECT_LT((separation_after_removal(drift, order) - static_normal).norm(), 1e-6) << drift;
   }
 }
 

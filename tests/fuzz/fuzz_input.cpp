@@ -14,8 +14,8 @@ namespace diefill::geometry::fuzz {
 
 namespace {
 
-constexpr std::size_t kMostToRepair = 20000;  // triangles: beyond it an input only costs time
-constexpr std::size_t kLargestSeed = 40000;   // bytes, for the same reason
+constexpr std::size_t kMaxToRepair = 20000;  // triangles: beyond it an input only costs time
+constexpr std::size_t kLargestSeed = 40000;  // bytes, for the same reason
 
 const std::vector<std::string>& endings() {
   static const std::vector<std::string> all = {"stl", "obj",  "ply", "off",  "3mf", "amf",
@@ -68,7 +68,7 @@ std::string outcome_of(const std::filesystem::path& file) {
   try {
     const Mesh mesh = import_part(file, options).mesh;
     const MeshFindings findings = check_mesh(mesh);
-    if (mesh.triangles.size() > kMostToRepair) return "read, too large to repair";
+    if (mesh.triangles.size() > kMaxToRepair) return "read, too large to repair";
     const RepairedMesh repaired = repair_mesh(mesh, findings, {});
     if (findings.usable()) return "read, usable";
     return repaired.findings.usable() ? "read, repaired" : "read, not usable";

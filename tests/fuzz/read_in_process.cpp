@@ -11,8 +11,7 @@
 
 namespace {
 
-constexpr std::ptrdiff_t kMostMemory = std::ptrdiff_t{1}
-                                       << 30;  // bytes; the rest to 2 GiB is the sanitizer's
+constexpr std::ptrdiff_t kMaxMemory = std::ptrdiff_t{1} << 30;  // bytes; the rest to 2 GiB is the sanitizer's
 std::atomic<std::ptrdiff_t> in_use = 0;
 
 std::ptrdiff_t size_of(void* place) {
@@ -22,8 +21,7 @@ std::ptrdiff_t size_of(void* place) {
 }  // namespace
 
 void* operator new(std::size_t size, const std::nothrow_t& /*none*/) noexcept {
-  const bool fits =
-      size < std::size_t{kMostMemory} && in_use + static_cast<std::ptrdiff_t>(size) < kMostMemory;
+  const bool fits = size < std::size_t{kMaxMemory} && in_use + static_cast<std::ptrdiff_t>(size) < kMaxMemory;
   void* const place = fits ? std::malloc(size) : nullptr;
   if (place != nullptr) in_use += size_of(place);
   return place;

@@ -73,7 +73,7 @@ std::vector<BrokenFile> broken_bytes() {
        "header announces 4000000000 faces"},
       {"points_only", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "a.obj"},
       {"corner_that_is_not_there", "a.off", replaced(off(plain_block()), "3 0 2 3", "3 0 2 99"),
-       "3 open edges"},
+       "has the corner 99, but its 8 corners are counted from 0"},
       {"gltf_without_its_buffer", "a.gltf",
        replaced(gltf(fine_tube(), "t"), "data:application/octet-stream;base64,", "missing.bin?"),
        "cannot be read as gltf"},

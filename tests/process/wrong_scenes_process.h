@@ -52,6 +52,12 @@ inline std::vector<WrongScene> wrong_steps() {
             {"step.kind", "found \"pasage\"", "allowed: \"passage\", \"settle\", \"wait\"",
              "did you mean \"passage\"?"}),
       spoil("step_kind_missing", header, "@[[step]]\n", {"step.kind", "found nothing", "\"passage\""}),
+      spoil("step_until_its_own_end", header, header + "name = \"a\"\nuntil = @{ after = \"a\" }\n",
+            {"step.until", "found \"a\"", "which is this step itself", "remove until"}),
+      spoil("step_until_a_step_behind_it", header + tool + "\n" + velocity + "\n" + direction + "\n",
+            header + tool + "\n" + velocity + "\n" + direction +
+                "\nuntil = @{ after = \"b\" }\n[[step]]\nkind = \"wait\"\nname = \"b\"\nduration = \"1 s\"\n",
+            {"step.until", "found \"b\"", "waits for the end of this step", "remove until"}),
       spoil("step_tool_unknown", tool, "tool = @\"feeder\"",
             {"step.tool", "found \"feeder\"", "allowed: \"die\" or \"shoe\""}),
       spoil("step_tool_missing", header + tool, "@[[step]]\n" + kind,
@@ -247,6 +253,7 @@ inline std::vector<WrongScene> wrong_suctions() {
 
 inline std::vector<WrongScene> wrong_measures() {
   const std::string plane = "fill_plane = \"0 mm\"\n";
+  const std::string corners = "from = [\"0 mm\", \"0 mm\", \"0 mm\"]\nto = [\"9 mm\", \"9 mm\", \"5 mm\"]\n";
   return {
       spoil("averaging_width_zero", plane, "averaging_width = @\"0 mm\"\n",
             {"measure.averaging_width", "found \"0 mm\"", "more than 0 mm"}),
@@ -268,6 +275,14 @@ inline std::vector<WrongScene> wrong_measures() {
             plane + "[[measure.heap]]\nname = \"a\"\nfrom = [\"0 mm\", \"0 mm\", \"5 mm\"]\n" +
                 "to = @[\"9 mm\", \"9 mm\", \"5 mm\"]\n",
             {"measure.heap.to", "the box is empty along z", "to must be greater than from"}),
+      spoil("heap_of_the_same_figure", plane,
+            plane + "[[measure.heap]]\nname = \"a b\"\n" + corners + "[[measure.heap]]\nname = @\"a-b\"\n" +
+                corners,
+            {"measure.heap.name", "found \"a-b\"", "an earlier heap, \"a b\"", "slope_of_a_b_deg"}),
+      spoil("zone_of_the_same_figures", plane,
+            plane + "[[measure.zone]]\nname = \"a b\"\ninner_radius = \"1 mm\"\n" +
+                "[[measure.zone]]\nname = @\"a-b\"\ninner_radius = \"2 mm\"\n",
+            {"measure.zone.name", "found \"a-b\"", "an earlier zone", "\"a b\""}),
       spoil("section_of_one_bracket", plane, plane + "@[measure.section]\nname = \"a\"\n",
             {"measure.section", "found a table", "write [[measure.section]] with double brackets"}),
   };

@@ -29,7 +29,7 @@ std::vector<std::string> quoted_code(const std::string& line) {
 }
 
 std::vector<std::string> file_cells(const std::string& text) {
-  static const std::regex heading(R"(\| *(file|room|folder)\b.*)"), cell(R"(\|([^|]*)\|.*)");
+  static const std::regex heading(R"(\| *(file|folder)\b.*)"), cell(R"(\|([^|]*)\|.*)");
   std::vector<std::string> cells;
   bool in_table = false;
   for (const auto& line : lines_of(text)) {

@@ -18,7 +18,7 @@ void for_each_match(const std::regex& pattern,
 /// The texts between single backquotes on a line.
 std::vector<std::string> quoted_code(const std::string& line);
 
-/// First cells of the rows of tables whose heading begins with a word for files: "file", "room", "folder".
+/// First cells of the rows of tables whose heading begins with a word for files: "file", "folder".
 std::vector<std::string> file_cells(const std::string& text);
 
 /// Lines of all blocks of code of a language, such as "toml".

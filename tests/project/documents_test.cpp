@@ -1,4 +1,4 @@
-// What documents name exists: files, commands, options, and keys of scenes; and what stands in a room is
+// What documents name exists: files, commands, options, and keys of scenes; and what is in a folder is
 // named on its page.
 #include <gtest/gtest.h>
 
@@ -82,7 +82,7 @@ TEST(Documents, ListFilesThatStandBesideThem) {
   EXPECT_TRUE(missing.empty()) << in_lines(missing);
 }
 
-TEST(Documents, ListEveryFileOfTheirRoom) {
+TEST(Documents, ListEveryFileOfTheirFolder) {
   std::vector<std::string> unlisted;
   for (const auto& file : source_files()) {
     const std::string folder = folder_of(file), page = folder + "README.md";

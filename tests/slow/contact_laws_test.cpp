@@ -12,16 +12,16 @@ namespace {
 
 void expect_no_gain(const std::vector<support::RegisteredLaw>& laws) {
   constexpr double kImpact = 1.2;  // m/s, what grains of the bed fall at
-  constexpr double kMost = 0.015, kMostAtRest = 0.002;
+  constexpr double kMax = 0.015, kMaxAtRest = 0.002;
   const support::BedWork deep{.across = 6, .layers = 10, .pour = 0.3, .shake = 0.2, .discharge = 0.1};
   for (const auto& law : laws) {
     SCOPED_TRACE(law.contact);
     try {
       const auto gained = support::gained_by(engine_settings(law.scene, kImpact), deep);
-      EXPECT_LT(gained.poured, kMost);
-      EXPECT_LT(gained.at_rest, kMostAtRest);
-      EXPECT_LT(gained.shaken, kMost);
-      EXPECT_LT(gained.discharged, kMost);
+      EXPECT_LT(gained.poured, kMax);
+      EXPECT_LT(gained.at_rest, kMaxAtRest);
+      EXPECT_LT(gained.shaken, kMax);
+      EXPECT_LT(gained.discharged, kMax);
     } catch (const engine::OutOfRange& reason) {
       ADD_FAILURE() << reason.what();
     }

@@ -18,7 +18,7 @@ struct BedWork {
   double pour = 0.12, shake = 0.05, discharge = 0.05;  ///< s; whole periods of shaking
 };
 
-/// Energy gained without work that explains it over what was turned over, as engine::ValidityMonitor has it.
+/// Energy gained without work that explains it over the energy exchanged, as engine::ValidityMonitor has it.
 struct EnergyGained {
   double poured = 0, shaken = 0, discharged = 0;
   double at_rest = 0;  ///< part of `poured`: in the last third of that time

@@ -37,7 +37,7 @@ std::vector<int> own_processors() {
   return processors;
 }
 
-/// Of a race, removed at its end.
+/// Of a benchmark, removed at its end.
 class Folder {
  public:
   Folder() : path_(fs::temp_directory_path() / ("diefill-bench-" + std::to_string(getpid()))) {
@@ -69,22 +69,23 @@ struct Measurement {
   int threads = 1;
 };
 
-std::vector<std::string> words_of(const CopiesRace& race, int threads) {
+std::vector<std::string> words_of(const CopiesBenchmark& benchmark, int threads) {
   std::vector<std::string> words = {fs::read_symlink("/proc/self/exe").string()};
-  words.insert(words.end(), race.words.begin(), race.words.end());
+  words.insert(words.end(), benchmark.words.begin(), benchmark.words.end());
   words.insert(words.end(), {"--threads", std::to_string(threads), "--json"});
   return words;
 }
 
 /// What all of them print, run at the same time.
-std::vector<ordered_json> measured(const CopiesRace& race, const std::vector<Measurement>& measurements) {
+std::vector<ordered_json> measured(const CopiesBenchmark& benchmark,
+                                   const std::vector<Measurement>& measurements) {
   const Folder folder;
   const std::vector<int> own = own_processors();
   std::vector<std::unique_ptr<process::ChildProcess>> running;
   for (const Measurement& one : measurements) {
     pin(one.processors);
-    running.push_back(
-        std::make_unique<process::ChildProcess>(words_of(race, one.threads), folder.log(running.size())));
+    running.push_back(std::make_unique<process::ChildProcess>(words_of(benchmark, one.threads),
+                                                              folder.log(running.size())));
   }
   pin(own);
   std::vector<ordered_json> figures;
@@ -108,12 +109,12 @@ double median_of(const ordered_json& repeats, const char* name) {
 }
 
 /// One measurement: the threads, then the copies.
-ordered_json threads_and_copies(const CopiesRace& race, const std::vector<int>& processors) {
-  const ordered_json threads = measured(race, {{processors, race.threads}}).front();
+ordered_json threads_and_copies(const CopiesBenchmark& benchmark, const std::vector<int>& processors) {
+  const ordered_json threads = measured(benchmark, {{processors, benchmark.threads}}).front();
   std::vector<Measurement> copies;
   for (const int processor : processors) copies.push_back({{processor}, 1});
   double together = 0;
-  for (const ordered_json& copy : measured(race, copies)) together += rate(copy);
+  for (const ordered_json& copy : measured(benchmark, copies)) together += rate(copy);
   ordered_json repeat;
   repeat["threads"] = rate(threads);
   repeat["copies"] = together;
@@ -140,18 +141,19 @@ void print(const ordered_json& outcome, int threads) {
 
 }  // namespace
 
-int race_against_copies(const CopiesRace& race) {
+int compare_with_copies(const CopiesBenchmark& benchmark) {
   std::vector<int> processors = own_processors();
-  if (static_cast<int>(processors.size()) < race.threads)
-    throw process::SceneError("bench: --against-copies with --threads " + std::to_string(race.threads) +
+  if (static_cast<int>(processors.size()) < benchmark.threads)
+    throw process::SceneError("bench: --against-copies with --threads " + std::to_string(benchmark.threads) +
                               " needs as many processors, found: " + std::to_string(processors.size()) +
                               "; use fewer threads");
-  processors.resize(static_cast<std::size_t>(race.threads));
+  processors.resize(static_cast<std::size_t>(benchmark.threads));
   ordered_json outcome;
-  for (int k = 0; k < race.repeats; ++k) outcome["repeats"].push_back(threads_and_copies(race, processors));
+  for (int k = 0; k < benchmark.repeats; ++k)
+    outcome["repeats"].push_back(threads_and_copies(benchmark, processors));
   for (const char* name : {"ratio", "serial_share", "waiting_share"})
     outcome[name] = median_of(outcome["repeats"], name);
-  const StepCounts counts = {race.threads,
+  const StepCounts counts = {benchmark.threads,
                              median_of(outcome["repeats"], "seconds_per_step"),
                              outcome["serial_share"].get<double>(),
                              outcome["waiting_share"].get<double>(),
@@ -163,10 +165,10 @@ int race_against_copies(const CopiesRace& race) {
                                     {"speedup", predicted.speedup},
                                     {"bytes_per_second", predicted.bytes_per_second}});
   }
-  if (race.json)
+  if (benchmark.json)
     std::printf("%s\n", json_text(outcome).c_str());
   else
-    print(outcome, race.threads);
+    print(outcome, benchmark.threads);
   return kDone;
 }
 

@@ -8,7 +8,7 @@
 namespace diefill::app {
 
 /// A measurement of this program to be repeated.
-struct CopiesRace {
+struct CopiesBenchmark {
   std::vector<std::string> words;  ///< of `diefill bench`, without threads
   int threads = 2;
   int repeats = 5;
@@ -18,6 +18,6 @@ struct CopiesRace {
 /// Runs threads and copies in turns, each pinned to the same processors, and prints every measurement, the
 /// medians, and what the counts predict for more processors. Throws SceneError where this machine has fewer
 /// processors than threads, std::runtime_error where a measurement fails.
-int race_against_copies(const CopiesRace& race);
+int compare_with_copies(const CopiesBenchmark& benchmark);
 
 }  // namespace diefill::app

@@ -32,9 +32,9 @@ class TimedSteps : public process::StepEngine {
     if (!begun_) return;
     spheres_ += static_cast<double>(simulation.grains().size() * simulation.types().spheres());
   }
-  void show_grains(engine::Simulation&) override {}
-  void show_contacts(engine::Simulation&) override {}
-  bool contacts_are_shown() const override { return true; }
+  void sync_grains(engine::Simulation&) override {}
+  void sync_contacts(engine::Simulation&) override {}
+  bool contacts_are_synced() const override { return true; }
   std::string description() const override { return "timed steps"; }
   int ranks() const override { return 1; }
 
@@ -122,7 +122,7 @@ nlohmann::ordered_json timed(const TimedScene& wanted) {
   options.show_progress = false;
   options.engine = &steps;
   options.stop = &steps.done();
-  give_back_freed_memory();
+  release_freed_memory();
   process::FillRun run(scene, tooling, options);
   try {
     run.run();

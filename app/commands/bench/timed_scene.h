@@ -1,5 +1,5 @@
 // Timing a running scene, as in the middle of a passage: tools move, powder flows, and the run monitors
-// both and records what it is asked for.
+// both and records what the scene requests.
 #pragma once
 
 #include <filesystem>

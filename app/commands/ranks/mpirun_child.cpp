@@ -17,14 +17,14 @@
 
 #include "app/exit_code.h"
 #include "app/stop_signals.h"
-#include "process/cluster/mpirun_talk.h"
+#include "process/cluster/mpirun_output.h"
 #include "process/input/shown_value.h"
 
 namespace diefill::app {
 
 namespace {
 
-using process::cluster::MpirunTalk;
+using process::cluster::MpirunOutput;
 
 constexpr int kCannotStart = 127;
 
@@ -83,7 +83,7 @@ class Mpirun {
     if (!rest_.empty()) show(rest_);
     return status;
   }
-  const MpirunTalk& talk() const { return talk_; }
+  const MpirunOutput& talk() const { return talk_; }
 
  private:
   /// Ranks that have begun get all the time that they need for a checkpoint. mpirun that is still starting
@@ -119,7 +119,7 @@ class Mpirun {
   int pipe_ = -1;
   bool open_ = true;
   std::string rest_;  ///< of a line that is not whole yet
-  MpirunTalk talk_;
+  MpirunOutput talk_;
   std::optional<std::chrono::steady_clock::time_point> told_at_;
   bool told_ranks_ = false;
 };
@@ -137,9 +137,9 @@ int run_mpirun(std::vector<std::string> words) {
   Mpirun mpirun(std::move(words));
   const int status = mpirun.watch(stop);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : kFailed;
-  const MpirunTalk& talk = mpirun.talk();
+  const MpirunOutput& talk = mpirun.talk();
   if (WIFEXITED(status) && code == kDone) return kDone;
-  if (talk.complained()) return code <= kInterrupted ? code : kFailed;
+  if (talk.reported_error()) return code <= kInterrupted ? code : kFailed;
   if (stop.load()) {
     std::fprintf(stderr, "diefill: stopped before the first step\n");
     return kInterrupted;

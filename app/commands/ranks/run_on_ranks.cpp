@@ -84,7 +84,7 @@ int run_on_ranks(const RankArguments& arguments, const process::Scene& scene) {
   if (step_engine() != nullptr)
     throw process::SceneError(
         "--ranks: mpirun -np says on how many ranks diefill-mpi runs; leave the option out");
-  process::cluster::refuse_what_ranks_cannot(scene);
+  process::cluster::refuse_unsupported_on_ranks(scene);
   const auto command = command_of(arguments);
   if (!arguments.slurm.empty()) {
     const OutputFile file = {"--slurm", arguments.slurm, {".sh", ".slurm", ".sbatch", ".job"}};

@@ -12,7 +12,7 @@ namespace diefill::process::calibration {
 namespace {
 
 constexpr double kShortest = 0.08, kLongest = 8;  // correlation lengths, in widths of the box
-constexpr double kLeastNoise = 1e-6, kMostNoise = 100;
+constexpr double kMinNoise = 1e-6, kMaxNoise = 100;
 constexpr double kUsualLength = 0.8, kSpreadOfLengths = 1.0;  // weak preference, in natural logarithms
 constexpr double kConstant = 1e-12;                           // variance of a quantity that does not vary
 constexpr Eigen::Index kProcesses = 10;                       // over which predictions are averaged
@@ -47,8 +47,8 @@ struct Limits {
   explicit Limits(Eigen::Index dimensions)
       : lower(Eigen::VectorXd::Constant(dimensions + 1, std::log(kShortest))),
         upper(Eigen::VectorXd::Constant(dimensions + 1, std::log(kLongest))) {
-    lower[dimensions] = std::log(kLeastNoise);
-    upper[dimensions] = std::log(kMostNoise);
+    lower[dimensions] = std::log(kMinNoise);
+    upper[dimensions] = std::log(kMaxNoise);
   }
   Eigen::VectorXd at(const Eigen::VectorXd& place) const { return lower + place.cwiseProduct(upper - lower); }
   Eigen::VectorXd place(const Eigen::VectorXd& at) const { return (at - lower).cwiseQuotient(upper - lower); }

@@ -1,4 +1,4 @@
-// A Gaussian process in place of simulations: from runs at some places of the parameter box it tells the
+// A Gaussian process in place of simulations: from runs at some places of the parameter box it predicts the
 // quantities at any other, how uncertain it is there, and how much runs scatter over seeds (Rasmussen and
 // Williams, Gaussian Processes for Machine Learning, 2006).
 #pragma once
@@ -13,7 +13,7 @@ namespace diefill::process::calibration {
 class Emulator {
  public:
   /// `inputs`: one run a row, in the unit cube. `outputs`: the quantities of the runs, a row each. Repeats
-  /// (equal inputs, another seed) tell scatter from variation. Lengths and scatter are not known from few
+  /// (equal inputs, another seed) separate scatter from variation. Lengths and scatter are not known from few
   /// runs: predictions are the mean over several that the runs make probable. Throws std::invalid_argument
   /// for fewer than three runs, or values that are not finite.
   Emulator(Eigen::MatrixXd inputs, Eigen::MatrixXd outputs);

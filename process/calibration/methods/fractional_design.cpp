@@ -12,7 +12,7 @@ namespace {
 
 using Column = std::uint64_t;
 
-constexpr std::size_t kMostBase = 16, kMostGenerators = 20;
+constexpr std::size_t kMaxBase = 16, kMaxGenerators = 20;
 constexpr std::size_t kPatience = 200000;  // columns tried before a design with more runs is looked for
 
 std::string letters_of(Column column, std::size_t base) {
@@ -71,7 +71,7 @@ std::vector<Column> base_columns(std::size_t base) {
 /// Every word as a set of factors, bit k for factor k.
 std::vector<Column> word_masks(const FractionalDesign& design) {
   const std::size_t generators = design.factors() - design.base;
-  if (generators > kMostGenerators)
+  if (generators > kMaxGenerators)
     throw std::invalid_argument("a defining relation of more than 2^20 words is not written out");
   std::vector<Column> words;
   for (Column chosen = 1; chosen < Column{1} << generators; ++chosen) {
@@ -106,7 +106,7 @@ std::string factor_letter(std::size_t factor) {
 }
 
 FractionalDesign design_of(std::size_t base, const std::vector<std::string>& generators) {
-  if (base == 0 || base > kMostBase) throw std::invalid_argument("a design has 1 to 16 base factors");
+  if (base == 0 || base > kMaxBase) throw std::invalid_argument("a design has 1 to 16 base factors");
   FractionalDesign design{base, base_columns(base)};
   for (const std::string& word : generators) {
     Column column = 0;
@@ -128,7 +128,7 @@ FractionalDesign design_of(std::size_t base, const std::vector<std::string>& gen
 FractionalDesign compact_design(std::size_t factors, std::size_t resolution) {
   if (factors == 0 || resolution < 3 || resolution > 5)
     throw std::invalid_argument("a design has one factor or more and resolution 3, 4 or 5");
-  for (std::size_t base = 1; base <= kMostBase; ++base) {
+  for (std::size_t base = 1; base <= kMaxBase; ++base) {
     if (base >= factors) return {factors, base_columns(factors)};
     FractionalDesign design{base, base_columns(base)};
     std::size_t tried = 0;
@@ -150,7 +150,7 @@ int level(const FractionalDesign& design, std::size_t run, std::size_t factor) {
 
 std::size_t resolution_of(const FractionalDesign& design) {
   if (design.factors() == design.base) return 0;
-  if (design.factors() - design.base > kMostGenerators) return shortest_of_many(design.columns);
+  if (design.factors() - design.base > kMaxGenerators) return shortest_of_many(design.columns);
   std::size_t shortest = design.factors();
   for (const Column word : word_masks(design))
     shortest = std::min(shortest, static_cast<std::size_t>(std::popcount(word)));

@@ -1,5 +1,5 @@
 // Two-level fractional factorial designs: which combinations of high and low levels to run, and which effects
-// such a design cannot tell apart (Box, Hunter and Hunter, Statistics for Experimenters; Kottlan 2018,
+// such a design cannot separate (Box, Hunter and Hunter, Statistics for Experimenters; Kottlan 2018,
 // section 2.5.1).
 #pragma once
 
@@ -52,7 +52,7 @@ std::vector<std::string> generators_of(const FractionalDesign& design);
 /// generators.
 std::vector<std::string> defining_words(const FractionalDesign& design);
 
-/// Effects that the design cannot tell apart: what it measures is their sum.
+/// Effects that the design cannot separate: what it measures is their sum.
 struct AliasString {
   std::uint64_t column = 0;
   std::vector<std::size_t> factors;  ///< main effects in it

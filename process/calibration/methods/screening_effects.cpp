@@ -35,12 +35,12 @@ void error_from_repeats(ScreeningEffects& screening, const std::vector<std::vect
 
 void error_after_lenth(ScreeningEffects& screening, const FractionalDesign& design,
                        const std::vector<double>& means) {
-  constexpr std::size_t kFewest = 7;
+  constexpr std::size_t kMin = 7;
   std::vector<double> sizes;
   for (std::uint64_t column = 1; column < design.runs(); ++column)
     sizes.push_back(std::abs(contrast(design, means, column)));
   screening.error = screening.margin = kNone;
-  if (sizes.size() < kFewest) return;
+  if (sizes.size() < kMin) return;
   const double first = 1.5 * results::median(sizes);
   std::vector<double> small;
   for (const double size : sizes)

@@ -77,7 +77,7 @@ void FixGrains::pre_exchange() {
 }
 
 /// Takes over which atoms there are now, and where.
-void FixGrains::look_at_atoms() {
+void FixGrains::update_atom_views() {
   RankGrains& rank = steps_->grains();
   rank.own = static_cast<std::size_t>(atom->nlocal);
   rank.all = static_cast<std::size_t>(atom->nlocal + atom->nghost);
@@ -90,7 +90,7 @@ void FixGrains::look_at_atoms() {
 }
 
 void FixGrains::post_neighbor() {
-  look_at_atoms();
+  update_atom_views();
   RankGrains& rank = steps_->grains();
   const bool clumps = rank.model.types.clumps();
   if (clumps) {
@@ -132,7 +132,7 @@ Eigen::Vector3d FixGrains::mean_velocity() const {
 }
 
 void FixGrains::pre_force(int) {
-  look_at_atoms();
+  update_atom_views();
   fetch_orientations();
   steps_->grains().place_spheres();
 }

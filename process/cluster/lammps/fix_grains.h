@@ -1,5 +1,5 @@
 // The grains of a rank as a fix of LAMMPS: it moves them in place of LAMMPS' integrators, takes their state
-// and memory along when they change ranks, and tells when near pairs must be searched again.
+// and memory along when they change ranks, and determines when near pairs must be searched again.
 #pragma once
 
 #include "process/cluster/lammps/lammps_api.h"
@@ -40,7 +40,7 @@ class FixGrains final : public LAMMPS_NS::Fix {
   void unpack_forward_comm(int count, int first, double* numbers) override;
 
  private:
-  void look_at_atoms();
+  void update_atom_views();
   void fetch_orientations();
   Eigen::Vector3d mean_velocity() const;
 

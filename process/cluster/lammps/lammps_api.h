@@ -1,4 +1,4 @@
-// The headers of LAMMPS that the room needs, free of the project's warnings. Included by path: the folder
+// The headers of LAMMPS that this folder needs, free of the project's warnings. Included by path: the folder
 // itself would hide headers of the system.
 #pragma once
 

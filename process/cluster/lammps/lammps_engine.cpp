@@ -53,16 +53,16 @@ LammpsEngine::~LammpsEngine() {
   task_of({Order::stop, 0}, ranks_);
 }
 
-void LammpsEngine::step(engine::Simulation& simulation, std::uint64_t look) {
-  if (computed_.empty()) compute(simulation, std::max<std::uint64_t>(1, look - simulation.steps()));
-  simulation.take_step(computed_.front());
+void LammpsEngine::step(engine::Simulation& simulation, std::uint64_t sync_step) {
+  if (computed_.empty()) compute(simulation, std::max<std::uint64_t>(1, sync_step - simulation.steps()));
+  simulation.apply_computed_step(computed_.front());
   computed_.pop_front();
-  grains_shown_ = contacts_shown_ = false;
+  grains_synced_ = contacts_synced_ = false;
 }
 
 void LammpsEngine::compute(engine::Simulation& simulation, std::uint64_t steps) {
   if (simulation.searches() != searches_) {
-    if (!contacts_shown_) throw std::logic_error("a simulation was changed whose contacts were not shown");
+    if (!contacts_synced_) throw std::logic_error("a simulation was changed whose contacts were not shown");
     task_of({Order::load, 0}, ranks_);
     with_all(ranks_, [&] {
       ranks_.load(&simulation);
@@ -80,15 +80,15 @@ void LammpsEngine::compute(engine::Simulation& simulation, std::uint64_t steps) 
   for (std::uint64_t k = 0; k < steps; ++k) computed_.push_back(records.step(k, simulation.bodies().size()));
 }
 
-void LammpsEngine::show_grains(engine::Simulation& simulation) {
-  if (grains_shown_) return;
+void LammpsEngine::sync_grains(engine::Simulation& simulation) {
+  if (grains_synced_) return;
   task_of({Order::grains, 0}, ranks_);
-  simulation.take_grains(with_all(ranks_, [&] { return ranks_.grains(); }));
-  grains_shown_ = true;
+  simulation.apply_computed_grains(with_all(ranks_, [&] { return ranks_.grains(); }));
+  grains_synced_ = true;
 }
 
-void LammpsEngine::show_contacts(engine::Simulation& simulation) {
-  if (contacts_shown_) return;
+void LammpsEngine::sync_contacts(engine::Simulation& simulation) {
+  if (contacts_synced_) return;
   task_of({Order::contacts, 0}, ranks_);
   engine::Grains grains;
   engine::NamedContacts of_grains, of_walls;
@@ -101,15 +101,15 @@ void LammpsEngine::show_contacts(engine::Simulation& simulation) {
   const auto& settings = simulation.neighbours().settings();
   of_grains.history = with_width(of_grains, settings.grain_history_sign.size());
   of_walls.history = with_width(of_walls, settings.wall_history);
-  simulation.take_grains(grains, of_grains, of_walls);
+  simulation.apply_computed_grains(grains, of_grains, of_walls);
   searches_ = simulation.searches();
-  grains_shown_ = contacts_shown_ = true;
+  grains_synced_ = contacts_synced_ = true;
 }
 
 void LammpsEngine::forget() {
   searches_ = ~std::uint64_t{0};
   computed_.clear();
-  grains_shown_ = contacts_shown_ = true;
+  grains_synced_ = contacts_synced_ = true;
 }
 
 std::string LammpsEngine::description() const {

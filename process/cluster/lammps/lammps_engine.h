@@ -1,4 +1,4 @@
-// The engine of runs on many ranks: rank 0 has the run and tells the others what to do.
+// The engine of runs on many ranks: rank 0 has the run and sends commands to the others.
 #pragma once
 
 #include <deque>
@@ -8,7 +8,7 @@
 
 namespace diefill::process::cluster {
 
-/// On rank 0. Other ranks serve() meanwhile and go on when it is destroyed.
+/// On rank 0. Other ranks serve() meanwhile and continue when it is destroyed.
 class LammpsEngine final : public StepEngine {
  public:
   explicit LammpsEngine(RankEngine& ranks) : ranks_(ranks) {}
@@ -16,10 +16,10 @@ class LammpsEngine final : public StepEngine {
   LammpsEngine(const LammpsEngine&) = delete;
   LammpsEngine& operator=(const LammpsEngine&) = delete;
 
-  void step(engine::Simulation& simulation, std::uint64_t look) override;
-  void show_grains(engine::Simulation& simulation) override;
-  void show_contacts(engine::Simulation& simulation) override;
-  bool contacts_are_shown() const override { return contacts_shown_; }
+  void step(engine::Simulation& simulation, std::uint64_t sync_step) override;
+  void sync_grains(engine::Simulation& simulation) override;
+  void sync_contacts(engine::Simulation& simulation) override;
+  bool contacts_are_synced() const override { return contacts_synced_; }
   std::string description() const override;
   int ranks() const override { return ranks_.ranks(); }
   /// The next step may be that of another simulation.
@@ -31,7 +31,7 @@ class LammpsEngine final : public StepEngine {
   RankEngine& ranks_;
   std::deque<engine::ComputedStep> computed_;   ///< steps that the simulation has not taken yet
   std::uint64_t searches_ = ~std::uint64_t{0};  ///< of the simulation when it and the ranks last agreed
-  bool grains_shown_ = true, contacts_shown_ = true;
+  bool grains_synced_ = true, contacts_synced_ = true;
   std::vector<std::uint64_t> shares_;
 };
 

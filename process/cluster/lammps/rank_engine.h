@@ -10,7 +10,7 @@
 
 namespace diefill::process::cluster {
 
-/// LAMMPS is of a release that the room was not written for; thrown on all ranks.
+/// LAMMPS is of a release that this code was not written for; thrown on all ranks.
 struct OtherRelease : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

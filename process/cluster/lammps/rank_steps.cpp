@@ -29,22 +29,23 @@ bool RankSteps::advance() {
   ++step_;
   since_search_ += model_.settings.time_step;
   const auto drifted = engine::plain(Eigen::Vector3d(drift_ * model_.settings.time_step));
-  grains_.motion.stand_at(grains_.grains.position, grains_.grains.orientation);
-  grains_.motion.move_at(grains_.grains.velocity, grains_.grains.spin);
+  grains_.motion.set_poses(grains_.grains.position, grains_.grains.orientation);
+  grains_.motion.set_motions(grains_.grains.velocity, grains_.grains.spin);
   remaining_ -= kRounding * integrator_.advance(grains_.grains, 0, grains_.own, drifted, grains_.motion);
-  if (remaining_ <= 0) remaining_ = 0.5 * model_.skin - farthest_way();
+  if (remaining_ <= 0) remaining_ = 0.5 * model_.skin - largest_displacement();
   return remaining_ < 0 || tools_moved_far();
 }
 
 /// m, of any own sphere against the powder's drift since the last search.
-double RankSteps::farthest_way() const {
+double RankSteps::largest_displacement() const {
   const Eigen::Vector3d drifted = since_search_ * drift_;
   const bool clumps = model_.types.clumps();
   double farthest = 0;
   for (std::size_t k = 0; k < grains_.own; ++k) {
     double way = (grains_.grains.position[k] - place_then_[k] - drifted).norm();
     if (clumps)
-      way += model_.types.way_per_turn() * (grains_.grains.orientation[k] - orientation_then_[k]).norm();
+      way += model_.types.displacement_per_turn() *
+             (grains_.grains.orientation[k] - orientation_then_[k]).norm();
     farthest = std::max(farthest, way);
   }
   return farthest;

@@ -43,7 +43,7 @@ class RankSteps {
 
  private:
   engine::NamedContacts named(const ContactPass& pass) const;
-  double farthest_way() const;
+  double largest_displacement() const;
   bool tools_moved_far() const;
   double clearance_of(std::size_t body) const;
 

@@ -158,7 +158,7 @@ class WallPass final : public ContactPass {
     const double radius = radius_[class_of(grains, near.pair[begin].own)];
     engine::SphereOnMesh sphere(mesh_, grains.model.bodies[body],
                                 place_in_body(grains, near.pair[begin].own, body), radius);
-    for (std::uint32_t p = begin; p < end; ++p) sphere.look_at(p, near.pair[p].other);
+    for (std::uint32_t p = begin; p < end; ++p) sphere.add_triangle(p, near.pair[p].other);
     const auto touching = sphere.touches();
     for (const auto& touch : touching) touches_.push_back({touch.near, touch.separation});
     deepest.walls = std::max(deepest.walls, sphere.deepest());

@@ -44,11 +44,11 @@ void FieldMean::add_one(double x, double z, double value) {
 }
 
 std::vector<double> FieldMean::mean() const {
-  constexpr double kLeast = 1e-3;
+  constexpr double kMin = 1e-3;
   const double most = *std::max_element(weight_.begin(), weight_.end());
   std::vector<double> means(sum_.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < means.size(); ++k)
-    if (weight_[k] > kLeast * most) means[k] = sum_[k] / weight_[k];
+    if (weight_[k] > kMin * most) means[k] = sum_[k] / weight_[k];
   return means;
 }
 

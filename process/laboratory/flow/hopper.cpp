@@ -5,38 +5,23 @@
 
 #include "process/laboratory/flow/hopper_charts.h"
 #include "process/laboratory/flow/hopper_figures.h"
+#include "process/laboratory/flow/hopper_setups.h"
 #include "process/laboratory/flow/registry.h"
-#include "process/laboratory/side_by_side.h"
-#include "process/scene/powder_presets.h"
 
 namespace diefill::process::laboratory {
 
 namespace {
 
-constexpr double kFinest = 4.704e-4;  // m, d of the source's set-ups
 constexpr double kConstant = 1.8e-3;  // m, B of the incompressible model (Bierwisch 2009, section 5.1.2)
 constexpr double kPeakShare = 0.95;  // n_peak over the largest solid fraction (Bierwisch 2009, section 5.1.3)
 
-/// Slit and depth for the set-up's grains, `factor` times as large as the source's: the slit is wider by 1.4
-/// times what the grains have grown by (Bierwisch 2009, section 3.2.2), depths grow with the grains.
-void suit_to_grains(double factor, HopperSetup& setup) {
-  setup.slit = setup.felt_slit + 1.4 * (1 - 1 / factor) * setup.powder.grain_diameter;
-  setup.depth *= setup.powder.grain_diameter / kFinest;
-  setup.averaging_width = std::max(5e-4, 0.5 * setup.powder.grain_diameter);
-}
-
-/// Table 5.1 (Bierwisch 2009) with grains enlarged by `factor`. Powder of Table C.5: friction 0.5, no
-/// cohesion.
+/// Table 5.1 (Bierwisch 2009) with grains enlarged by `factor`.
 std::vector<HopperSetup> setups(double factor) {
-  HopperSetup first;
+  HopperSetup first = source_hopper(factor);
   first.name = "1: D 15 mm";
-  first.powder = powder_preset("ASC100.29 initial D");
-  first.powder.friction = 0.5;
-  first.powder.grain_diameter = factor * kFinest;
-  first.depth = 2.16e-3;
   std::vector<HopperSetup> all(5, first);
   all[1].name = "2: D 10 mm";
-  all[1].felt_slit = 10e-3;
+  all[1].equivalent_slit = 10e-3;
   all[2].name = "3: g 1.62 m/s2";
   all[2].gravity = 1.62;
   all[3].name = "4: grains twice as large, laws not scaled";
@@ -45,36 +30,8 @@ std::vector<HopperSetup> setups(double factor) {
   all[3].powder.tangential_over_radius /= 2;
   all[4].name = "5: hopper 60 mm wide";
   all[4].width = 60e-3;
-  for (HopperSetup& setup : all) suit_to_grains(factor, setup);
+  for (HopperSetup& setup : all) fit_to_grains(factor, setup);
   return all;
-}
-
-/// Runs all packings of all set-ups and averages over them.
-std::vector<HopperFields> run_all(const ExperimentOptions& options, const std::vector<HopperSetup>& setups,
-                                  const std::vector<int>& packings) {
-  std::vector<HopperSetup> runs;
-  for (std::size_t k = 0; k < setups.size(); ++k)
-    for (int seed = 1; seed <= packings[k]; ++seed) {
-      runs.push_back(setups[k]);
-      runs.back().seed = static_cast<std::uint64_t>(seed);
-    }
-  std::vector<HopperFields> found(runs.size());
-  side_by_side(options, runs.size(), "hoppers", [&](std::size_t piece, const TellShare& tell) {
-    found[piece] = run_hopper(runs[piece], tell);
-  });
-  std::vector<HopperFields> means;
-  std::size_t next = 0;
-  for (const int count : packings) {
-    means.push_back(mean_of({found.begin() + static_cast<std::ptrdiff_t>(next),
-                             found.begin() + static_cast<std::ptrdiff_t>(next) + count}));
-    next += static_cast<std::size_t>(count);
-  }
-  return means;
-}
-
-/// m/s, sqrt(g D).
-double speed_scale(const HopperSetup& setup) {
-  return std::sqrt(setup.gravity * setup.felt_slit);
 }
 
 /// Eq. 5.5 fitted to local lengths of powder no denser than the peak.
@@ -129,7 +86,7 @@ void compare_hopper(const ExperimentOptions& options, results::ExperimentResult&
   const int packings = options.quick ? 1 : 2;
   HopperStudy study;
   study.setups = setups(factor);
-  study.fields = run_all(options, study.setups, std::vector<int>(study.setups.size(), packings));
+  study.fields = run_packings(options, study.setups, packings);
   const auto& all = study.setups;
   const auto& fields = study.fields;
   const double scale = speed_scale(all[0]);
@@ -138,16 +95,16 @@ void compare_hopper(const ExperimentOptions& options, results::ExperimentResult&
   study.incompressible = solve_for(fields[0], all[0].slit, continuum::constant_length(kConstant), false);
   study.compressible = solve_for(fields[0], all[0].slit, study.length, true);
   add_limits(all[0], fields[0], scale, study.length, result);
-  add_model_errors(fields[0], all[0].felt_slit, study.incompressible, study.compressible, result);
+  add_model_errors(fields[0], all[0].equivalent_slit, study.incompressible, study.compressible, result);
   result.figures = hopper_figures(study);
   result.charts.push_back(length_chart(points, study.length));
   result.charts.push_back(length_field_chart(all[0], fields[0]));
-  add_profile_charts(fields[0], all[0].felt_slit, {&study.incompressible, &study.compressible},
+  add_profile_charts(fields[0], all[0].equivalent_slit, {&study.incompressible, &study.compressible},
                      result.charts);
   std::vector<double> scales, widths;
   for (const auto& setup : all) {
     scales.push_back(speed_scale(setup));
-    widths.push_back(setup.felt_slit);
+    widths.push_back(setup.equivalent_slit);
   }
   add_scaling_charts(all, fields, widths, scales, result.charts);
 }

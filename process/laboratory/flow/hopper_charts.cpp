@@ -40,15 +40,15 @@ ExperimentSeries predicted_row(const std::string& name, const continuum::HopperF
   ExperimentSeries series{.name = name, .role = ExperimentSeries::Role::predicted, .x = {}, .y = {}};
   const int row = row_at(flow.grid, z);
   for (int c = 0; c < flow.grid.columns; ++c) {
-    const double aside = 0.5 * (flow.horizontal_at(c, row) + flow.horizontal_at(c + 1, row));
+    const double lateral = 0.5 * (flow.horizontal_at(c, row) + flow.horizontal_at(c + 1, row));
     series.x.push_back(1e3 * flow.grid.x(c));
-    series.y.push_back(upright ? flow.vertical_at(c, row) : aside);
+    series.y.push_back(upright ? flow.vertical_at(c, row) : lateral);
   }
   return series;
 }
 
-constexpr std::size_t kMostPoints = 400;
-constexpr double kLeastSpeed = 0.02;                         // of sqrt(gD)
+constexpr std::size_t kMaxPoints = 400;
+constexpr double kMinSpeed = 0.02;                           // of sqrt(gD)
 constexpr double kHeights[] = {0.25, 0.5, 0.75, 1, 1.5, 2};  // over the slit's width
 
 }  // namespace
@@ -64,7 +64,7 @@ ExperimentChart length_chart(const std::vector<continuum::LengthPoint>& points,
   chart.x = {.label = "Solid fraction"};
   chart.y = {.label = "B [mm]", .logarithmic = true};
   constexpr int kClasses = 16;
-  const std::size_t every = 1 + points.size() / kMostPoints;
+  const std::size_t every = 1 + points.size() / kMaxPoints;
   ExperimentSeries nodes{
       .name = "nodes of the grid", .role = ExperimentSeries::Role::points, .x = {}, .y = {}};
   for (std::size_t k = 0; k < points.size(); k += every) {
@@ -104,7 +104,7 @@ ExperimentChart length_chart(const std::vector<continuum::LengthPoint>& points,
 
 ExperimentChart length_field_chart(const HopperSetup& setup, const HopperFields& fields) {
   ExperimentChart chart;
-  const double width = setup.felt_slit, least = kLeastSpeed * std::sqrt(setup.gravity * width);
+  const double width = setup.equivalent_slit, least = kMinSpeed * std::sqrt(setup.gravity * width);
   chart.name = "hopper_length_field";
   chart.title = "Local diffusion length over x at six heights";
   chart.subtitle =

@@ -3,25 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
-#include "process/continuum/discharge_fit.h"
 #include "process/laboratory/flow/hopper_models.h"
+#include "process/laboratory/flow/hopper_setups.h"
 
 namespace diefill::process::laboratory {
 
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kBulkFrom = 40e-3;         // m, above which powder has its bulk fraction (section 5.1.3)
-constexpr double kLoosened = 0.02;          // of the bulk fraction
-constexpr double kNegligible = 0.1;         // of the largest |v_x|
-constexpr double kProfiles = 0.25;          // D, the lowest of the profiles
-constexpr double kIsoline = -0.1;           // m/s (section 5.1.2)
-constexpr double kSourceDepth = 2.16e-3;    // m, b of the source's hopper
-constexpr double kSourceFraction = 0.365;   // its bulk solid fraction
-constexpr double kSourceGrain = 1.413e-11;  // m^3, its grains (Table C.4)
-constexpr double kShortestFit = 2;          // of t sqrt(g/D), that Eq. 5.15 can be fitted to
+constexpr double kBulkFrom = 40e-3;  // m, above which powder has its bulk fraction (section 5.1.3)
+constexpr double kLoosened = 0.02;   // of the bulk fraction
+constexpr double kNegligible = 0.1;  // of the largest |v_x|
+constexpr double kProfiles = 0.25;   // D, the lowest of the profiles
+constexpr double kIsoline = -0.1;    // m/s (section 5.1.2)
 
 int row_at(const continuum::HopperGrid& grid, double z) {
   return std::clamp(static_cast<int>(std::lround(z / grid.spacing_z())), 0, grid.rows);
@@ -48,10 +43,6 @@ double largest(const std::vector<double>& values) {
   return found;
 }
 
-double speed_scale(const HopperSetup& setup) {
-  return std::sqrt(setup.gravity * setup.felt_slit);
-}
-
 /// A field at x (m) between the columns of a row.
 double value_at(const HopperFields& fields, const std::vector<double>& field, double x, int row) {
   const double column = (x + fields.grid.width / 2) / fields.grid.spacing_x() - 0.5;
@@ -67,50 +58,20 @@ std::vector<double> scaled_row(const HopperSetup& setup, const HopperFields& fie
                                double height) {
   std::vector<double> row;
   for (int k = -20; k <= 20; ++k)
-    row.push_back(value_at(fields, fields.*component, k * setup.felt_slit / 20,
-                           row_at(fields.grid, height * setup.felt_slit)) /
+    row.push_back(value_at(fields, fields.*component, k * setup.equivalent_slit / 20,
+                           row_at(fields.grid, height * setup.equivalent_slit)) /
                   speed_scale(setup));
   return row;
 }
 
 /// |v_z| over sqrt(g D) on the axis at z = 2 D, far above the collapse (section 5.1.4).
 double far_speed(const HopperSetup& setup, const HopperFields& fields) {
-  const double d = setup.felt_slit;
+  const double d = setup.equivalent_slit;
   return std::abs(mean_near(fields, fields.vertical, d / 4, 1.9 * d, 2.1 * d)) / speed_scale(setup);
 }
 
 double loose_fraction(const HopperSetup& setup, const HopperFields& fields) {
-  return mean_near(fields, fields.fraction, setup.felt_slit / 2, 0, setup.felt_slit / 2);
-}
-
-std::vector<results::ExperimentFigure> without_value(const std::string& why) {
-  std::vector<results::ExperimentFigure> figures;
-  for (const char* id : {"E01", "E02", "E03", "E04"}) figures.push_back({id, kNone, why});
-  return figures;
-}
-
-/// Eq. 5.15 of the powder that has run out since the slit opened; without values where they are not
-/// determined.
-std::vector<results::ExperimentFigure> transient_figures(const HopperSetup& setup,
-                                                         const HopperFields& fields) {
-  continuum::DischargeData data;
-  data.density = 1;
-  data.gravity = setup.gravity;
-  for (std::size_t k = 0; k < fields.time.size(); ++k)
-    data.points.push_back(
-        {.value = fields.discharged[k], .time = fields.time[k], .width = setup.felt_slit, .length = 1});
-  const std::string how = "Eq. 5.15 fitted to what has run out of set-up 1, D = 15 mm as felt";
-  try {
-    const auto fit = continuum::fit_discharge(continuum::DischargeLaw::transient, data);
-    if (fit.largest_x < kShortestFit || fit.fit.shape_at_bound)
-      return without_value("the flow still grows when fields end");
-    return {{"E01", fit.number("C_B"), how},
-            {"E02", fit.number("C_I"), how},
-            {"E03", fit.number("C_F"), how},
-            {"E04", fit.number("beta"), how}};
-  } catch (const std::invalid_argument& error) {
-    return without_value(error.what());
-  }
+  return mean_near(fields, fields.fraction, setup.equivalent_slit / 2, 0, setup.equivalent_slit / 2);
 }
 
 }  // namespace
@@ -185,19 +146,18 @@ double spread_of_collapse(const HopperStudy& study) {
 std::vector<results::ExperimentFigure> hopper_figures(const HopperStudy& study) {
   const HopperSetup& first = study.setups[0];
   const HopperFields& fields = study.fields[0];
-  const double d = first.felt_slit;
+  const double d = first.equivalent_slit;
   const double bulk = mean_near(fields, fields.fraction, fields.grid.width, kBulkFrom, fields.grid.height);
-  const double aside = largest(fields.horizontal);
+  const double lateral = largest(fields.horizontal);
   const ModelError constant = error_of(study.incompressible, fields, kProfiles * d, 2 * d);
   const ModelError varying = error_of(study.compressible, fields, kProfiles * d, 2 * d);
   const auto loose = [&](std::size_t k) { return loose_fraction(study.setups[k], study.fields[k]); };
   const auto far = [&](std::size_t k) { return far_speed(study.setups[k], study.fields[k]); };
-  const double grain_rate = study.fields[1].outflow * kSourceDepth * kSourceFraction / kSourceGrain;
   std::vector<results::ExperimentFigure> figures = {
       {"D01", bulk, ""},
       {"D02", 1e3 * height_of_loosening(fields, d, kLoosened), "2 % below the bulk above the slit"},
-      {"D03", largest(fields.vertical) / aside, ""},
-      {"D04", aside, ""},
+      {"D03", largest(fields.vertical) / lateral, ""},
+      {"D04", lateral, ""},
       {"D05",
        bend_of_isoline(fields.grid, fields.vertical, kIsoline, 0.1 * d, d) /
            bend_of_isoline(fields.grid, study.incompressible.vertical, kIsoline, 0.1 * d, d),
@@ -212,9 +172,7 @@ std::vector<results::ExperimentFigure> hopper_figures(const HopperStudy& study) 
        "mean above 3 D"},
       {"D13", spread_of_collapse(study), ""},
       {"D14", std::max(far(1), far(4)) / ((far(0) + far(2) + far(3)) / 3), "z = 2 D"},
-      {"D15", std::max(loose(1), loose(3)) - std::min({loose(0), loose(2), loose(4)}), ""},
-      {"E05", grain_rate, "outflow of set-up 2 in grains of the source"}};
-  for (const auto& figure : transient_figures(first, fields)) figures.push_back(figure);
+      {"D15", std::max(loose(1), loose(3)) - std::min({loose(0), loose(2), loose(4)}), ""}};
   for (auto& figure : figures) {
     const bool compares = figure.id == "D13" || figure.id == "D14" || figure.id == "D15";
     figure.grain_diameter = study.setups[compares ? 3 : 0].powder.grain_diameter;

@@ -1,4 +1,4 @@
-// The hopper's figures that Bierwisch 2009, chapter 5, has published, by their ids (E14, E15).
+// The hopper's figures that Bierwisch 2009, chapter 5, has published, by their ids (E14).
 #pragma once
 
 #include <vector>
@@ -34,7 +34,7 @@ double bend_of_isoline(const continuum::HopperGrid& grid, const std::vector<doub
 /// |x| < D and z = D/4 and D/2, over the largest mean value of that component (D13).
 double spread_of_collapse(const HopperStudy& study);
 
-/// D01 to D15 and E01 to E05. Lengths in D of the source's slit, its effective width.
+/// D01 to D15. Lengths in D of the source's slit, its effective width.
 std::vector<results::ExperimentFigure> hopper_figures(const HopperStudy& study);
 
 }  // namespace diefill::process::laboratory

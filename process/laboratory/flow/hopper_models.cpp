@@ -77,9 +77,9 @@ ModelError error_of(const continuum::HopperFlow& flow, const HopperFields& field
       const double vertical = fields.at(fields.vertical, c, row);
       const double horizontal = fields.at(fields.horizontal, c, row);
       if (!std::isfinite(vertical)) continue;
-      const double aside = 0.5 * (flow.horizontal_at(c, row) + flow.horizontal_at(c + 1, row));
+      const double lateral = 0.5 * (flow.horizontal_at(c, row) + flow.horizontal_at(c + 1, row));
       apart_z += std::pow(flow.vertical_at(c, row) - vertical, 2);
-      apart_x += std::pow(aside - horizontal, 2);
+      apart_x += std::pow(lateral - horizontal, 2);
       all_z += vertical * vertical;
       all_x += horizontal * horizontal;
     }

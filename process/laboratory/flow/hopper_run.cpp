@@ -143,14 +143,14 @@ class Flow {
     level_ = static_cast<double>(fields_.grains) * volume_ / setup.width;
   }
 
-  HopperFields run(const std::function<void(double)>& told) {
+  HopperFields run(const std::function<void(double)>& on_progress) {
     const double burn = kBurn * std::sqrt(9.81 / setup_.gravity);
     double began = -1, out_before = 0;
     while (level() > setup_.to && seconds() < 40 * burn) {
       advance(kInterval * std::sqrt(9.81 / setup_.gravity));
       fields_.time.push_back(seconds());
       fields_.discharged.push_back(discharged());
-      told(std::min(0.99, (level_ - level()) / (level_ - setup_.to)));
+      on_progress(std::min(0.99, (level_ - level()) / (level_ - setup_.to)));
       if (seconds() < burn || level() > setup_.from) continue;
       if (began < 0) {
         began = seconds();
@@ -209,7 +209,7 @@ class Flow {
 
 }  // namespace
 
-HopperFields run_hopper(const HopperSetup& setup, const std::function<void(double)>& told) {
+HopperFields run_hopper(const HopperSetup& setup, const std::function<void(double)>& on_progress) {
   const Scene scene = scene_of(setup);
   const double d = setup.powder.grain_diameter, margin = 4 * d;
   const double poured = pour_height(scene, engine_settings(scene, 1.0));
@@ -221,7 +221,7 @@ HopperFields run_hopper(const HopperSetup& setup, const std::function<void(doubl
   settle(simulation, d);
   Flow flow(setup, simulation, tools_of(setup, walls, margin));
   open_slit(simulation);
-  return flow.run(told);
+  return flow.run(on_progress);
 }
 
 HopperFields mean_of(const std::vector<HopperFields>& packings) {

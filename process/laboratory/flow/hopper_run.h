@@ -17,7 +17,7 @@ struct HopperSetup {
   std::string name;
   PowderSpec powder;                 ///< at its wanted grain size
   double slit = 15e-3;               ///< m, between the floor's spheres
-  double felt_slit = 15e-3;          ///< m, D: the source's slit, as wide for its grains as `slit` for these
+  double equivalent_slit = 15e-3;    ///< m, D: the source's slit, as wide for its grains as `slit` for these
   double width = 45e-3;              ///< m, l, between the side walls
   double depth = 8.64e-3;            ///< m, b, the period along y
   double gravity = 9.81;             ///< m/s^2
@@ -47,8 +47,9 @@ struct HopperFields {
 };
 
 /// Settles the powder above the closed slit, opens it at once, and takes fields every 0.5 ms (solid fractions
-/// every 4 ms) between the two levels, not before 0.1 s sqrt(9.81 m/s^2 / g). `told` hears the share done.
-HopperFields run_hopper(const HopperSetup& setup, const std::function<void(double)>& told);
+/// every 4 ms) between the two levels, not before 0.1 s sqrt(9.81 m/s^2 / g). `on_progress` receives the
+/// finished share.
+HopperFields run_hopper(const HopperSetup& setup, const std::function<void(double)>& on_progress);
 
 /// The mean of several packings of one set-up.
 HopperFields mean_of(const std::vector<HopperFields>& packings);

@@ -11,7 +11,7 @@
 #include "process/continuum/kinematic_model.h"
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/stability/pair_encounter.h"
+#include "process/laboratory/stability/pair_collision.h"
 #include "process/laboratory/stability/trial.h"
 
 namespace diefill::process::laboratory {
@@ -61,7 +61,7 @@ constexpr HeadOn kCollisions[] = {
     {"V08", ThesisGrain::d, 1e6, 0, 0.2},         {"V09", ThesisGrain::d, 1e6, 0.01, 0.2},
     {"V10", ThesisGrain::d, 1e6, 0.15, 0.2},      {"V11", ThesisGrain::d, 1e6, 0.15, 0.5}};
 
-Encounter collide(const HeadOn& collision, double time_step) {
+PairCollision collide(const HeadOn& collision, double time_step) {
   constexpr long kLongest = 200000;
   engine::SimulationSettings settings;
   settings.types = {{thesis_grain(collision.grain)}};

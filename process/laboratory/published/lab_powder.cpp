@@ -16,11 +16,18 @@ namespace {
 constexpr const char* kAnyScene = "bed.toml";  // that reads the powder file
 constexpr const char* kTables[] = {"powder", "contact", "walls"};
 
+/// The text in quotes, with whatever stands in it escaped: as a value, or as a part of a key.
+std::string in_quotes(const std::string& text) {
+  std::ostringstream written;
+  written << toml::value<std::string>(text);
+  return written.str();
+}
+
 /// A line for each value of a table, tables within it key by key.
 std::string lines_of(const toml::table& table, const std::string& path) {
   std::string lines;
   for (const auto& [key, node] : table) {
-    const std::string name = path + ".\"" + std::string(key.str()) + '"';
+    const std::string name = path + '.' + in_quotes(std::string(key.str()));
     if (const toml::table* inner = node.as_table()) {
       lines += lines_of(*inner, name);
       continue;
@@ -39,10 +46,10 @@ SceneChanges powder_changes(const std::filesystem::path& file) {
   SceneChanges changes;
   if (!document.contains("tool")) {
     changes.without = {"powder"};
-    changes.set = line("powder.file", '"' + std::filesystem::absolute(file).string() + '"');
+    changes.set = line("powder.file", in_quotes(std::filesystem::absolute(file).string()));
     return changes;
   }
-  take_powder_file(document, file);
+  merge_powder_file(document, file);
   if (toml::table* powder = document["powder"].as_table()) powder->erase("grain_diameter");
   for (const char* name : kTables) {
     changes.without.emplace_back(name);

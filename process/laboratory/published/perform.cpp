@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "process/laboratory/published/own_runs.h"
+#include "process/laboratory/published/custom_runs.h"
 #include "process/results/figure_table.h"
 #include "process/results/storage/result_file.h"
 #include "process/results/studies/job_cost.h"
@@ -34,7 +34,7 @@ std::vector<Variant> variants_of(const LabPlan& plan, const LabSetting& setting)
 /// Everything about the runs that the rows need.
 class FinishedRuns {
  public:
-  FinishedRuns(const fs::path& directory, const FoundJobs& found, const std::vector<OwnRun>& own,
+  FinishedRuns(const fs::path& directory, const FoundJobs& found, const std::vector<CustomRun>& own,
                int own_seeds)
       : directory_(directory), other_scenes_(found.other_scenes) {
     const results::JobList& list = found.list;
@@ -51,8 +51,8 @@ class FinishedRuns {
           folders[job.variant] = directory / job.folder;
       }
       std::map<std::string, std::string> results;
-      for (const OwnRun& run : own) {
-        const KeptOwnRun& kept = own_[run.name].emplace_back(kept_own_run(directory, run, seed));
+      for (const CustomRun& run : own) {
+        const StoredCustomRun& kept = own_[run.name].emplace_back(stored_custom_run(directory, run, seed));
         if (kept.finished) results[run.name] = kept.result;
       }
       seeds_.emplace_back(seed, std::move(folders), std::move(results));
@@ -68,7 +68,7 @@ class FinishedRuns {
     for (const std::string& run : runs) {
       for (const results::Job& job : jobs_of(run))
         if (!is_other(job)) sum += results::read_job_cost(directory_ / job.folder).cpu_seconds;
-      for (const KeptOwnRun& own : own_of(run)) sum += own.core_seconds;
+      for (const StoredCustomRun& own : own_of(run)) sum += own.core_seconds;
     }
     return sum;
   }
@@ -85,7 +85,7 @@ class FinishedRuns {
         if (state.stage == JobState::Stage::failed) return "run \"" + run + "\" failed: " + state.reason;
         open += state.stage == JobState::Stage::open ? 1U : 0U;
       }
-      for (const KeptOwnRun& own : own_of(run)) {
+      for (const StoredCustomRun& own : own_of(run)) {
         ++all;
         if (!own.failure.empty()) return "run \"" + run + "\" failed: " + own.failure;
         open += own.finished ? 0U : 1U;
@@ -103,15 +103,15 @@ class FinishedRuns {
     const auto found = jobs_.find(run);
     return found == jobs_.end() ? std::vector<results::Job>() : found->second;
   }
-  std::vector<KeptOwnRun> own_of(const std::string& run) const {
+  std::vector<StoredCustomRun> own_of(const std::string& run) const {
     const auto found = own_.find(run);
-    return found == own_.end() ? std::vector<KeptOwnRun>() : found->second;
+    return found == own_.end() ? std::vector<StoredCustomRun>() : found->second;
   }
 
   fs::path directory_;
   std::set<std::string> other_scenes_;
   std::map<std::string, std::vector<results::Job>> jobs_;
-  std::map<std::string, std::vector<KeptOwnRun>> own_;  ///< of each seed
+  std::map<std::string, std::vector<StoredCustomRun>> own_;  ///< of each seed
   std::vector<SeedResults> seeds_;
 };
 
@@ -145,14 +145,16 @@ bool has_no_value(const results::ExperimentSeries& series) {
   return std::none_of(series.y.begin(), series.y.end(), [](double value) { return std::isfinite(value); });
 }
 
-/// Charts of what there is; a result that lacks what they draw leaves them out, and `say` has the reason.
+/// Charts of what there is; a result that lacks what they draw leaves them out, and `on_note` gets the
+/// reason.
 std::vector<results::ExperimentChart> charts_of(const SceneExperiment& experiment, const LabPlan& plan,
-                                                const std::vector<SeedResults>& seeds, const Say& say) {
+                                                const std::vector<SeedResults>& seeds,
+                                                const NoteCallback& on_note) {
   std::vector<results::ExperimentChart> charts;
   try {
     charts = plan.charts(seeds);
   } catch (const results::ResultError& error) {
-    if (say) say(std::string("charts of ") + experiment.name + ": " + error.what());
+    if (on_note) on_note(std::string("charts of ") + experiment.name + ": " + error.what());
   }
   for (auto& chart : charts) {
     std::erase_if(chart.series, has_no_value);
@@ -205,14 +207,14 @@ LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
   if (!plan.runs.empty()) {
     const WantedJobs wanted{experiment.name, variants_of(plan, setting), jobs.seeds, {}};
     if (jobs.run) {
-      found.list = write_jobs(jobs.directory, wanted, jobs.say);
+      found.list = write_jobs(jobs.directory, wanted, jobs.on_note);
       run_jobs(jobs.directory, found.list, jobs.options);
     } else {
       found = find_jobs(jobs.directory, wanted);
     }
   }
-  if (jobs.run) make_own_runs(plan.own_runs, jobs);
-  const FinishedRuns runs(jobs.directory, found, plan.own_runs, jobs.seeds);
+  if (jobs.run) make_custom_runs(plan.custom_runs, jobs);
+  const FinishedRuns runs(jobs.directory, found, plan.custom_runs, jobs.seeds);
   LabOutcome outcome;
   outcome.table.experiment = experiment.name;
   outcome.table.question = experiment.question;
@@ -222,11 +224,11 @@ LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
   outcome.table.seeds = jobs.seeds;
   std::vector<std::string> all;
   for (const LabRun& run : plan.runs) all.push_back(run.name);
-  for (const OwnRun& run : plan.own_runs) all.push_back(run.name);
+  for (const CustomRun& run : plan.custom_runs) all.push_back(run.name);
   outcome.table.core_seconds = runs.core_seconds(all);
   for (const LabQuantity& quantity : plan.quantities)
     outcome.table.rows.push_back(row_of(quantity, runs, figures, setting.powder.empty()));
-  if (plan.charts) outcome.charts = charts_of(experiment, plan, runs.seeds(), jobs.say);
+  if (plan.charts) outcome.charts = charts_of(experiment, plan, runs.seeds(), jobs.on_note);
   return outcome;
 }
 

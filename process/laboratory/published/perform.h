@@ -20,7 +20,7 @@ struct LabJobs {
   std::filesystem::path directory;
   JobOptions options;  ///< its `cpu_seconds` are the budget
   int seeds = 1;
-  Say say;
+  NoteCallback on_note;
   bool run = true;  ///< false: only what is finished there is measured, and no run's folder is touched
 };
 

@@ -9,6 +9,7 @@
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/measure/figures/heap_slope.h"
+#include "process/powder/empty_annulus.h"
 #include "process/results/figure_table.h"
 #include "process/tradeoff/quantities.h"
 
@@ -74,7 +75,7 @@ double solid_rate(const SeedResults& seed) {
 /// m^3/s of solid through an orifice of the standard: Beverloo's power of 5/2 of the width less 1.4 d.
 double rate_through(const SeedResults& seed, double orifice, double model_orifice) {
   const double d = seed.of(kFunnel).powder.grain_diameter;
-  const double ratio = (orifice - 1.4 * kRealGrain) / (model_orifice - 1.4 * d);
+  const double ratio = (orifice - kEmptyAnnulus * kRealGrain) / (model_orifice - kEmptyAnnulus * d);
   return solid_rate(seed) * std::pow(ratio, 2.5);
 }
 

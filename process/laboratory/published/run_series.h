@@ -14,7 +14,8 @@ struct PointOfRun {
   std::string run;
 };
 
-/// Adds a series with the points whose runs are finished; nothing where none is. `value` is told a run.
+/// Adds a series with the points whose runs are finished; nothing where none is. `value` is called with a
+/// run.
 void add_run_series(results::ExperimentChart& chart, const SeedResults& seed, const std::string& name,
                     const std::vector<PointOfRun>& points,
                     const std::function<double(const std::string& run)>& value);

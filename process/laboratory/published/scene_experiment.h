@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "process/laboratory/published/own_run.h"
+#include "process/laboratory/published/custom_run.h"
 #include "process/results/fill_result.h"
 #include "process/results/studies/experiment_result.h"
 #include "process/scene/variants.h"
@@ -25,7 +25,7 @@ enum class LabSize { coarse, medium, published };
 /// "coarse", "medium" or "published".
 std::string name_of(LabSize size);
 
-/// How an experiment is asked for.
+/// Settings of an experiment.
 struct LabSetting {
   LabSize size = LabSize::coarse;
   std::filesystem::path scenes;  ///< folder of the scene files
@@ -41,10 +41,10 @@ struct LabRun {
   SceneChanges changes;  ///< of that file
 };
 
-/// The results of one seed, read when they are asked for.
+/// The results of one seed, read on demand.
 class SeedResults {
  public:
-  /// `folders` of the runs that are finished, and results of `own` runs (own_run.h), by name.
+  /// `folders` of the runs that are finished, and results of `own` runs (custom_run.h), by name.
   SeedResults(std::uint64_t seed, std::map<std::string, std::filesystem::path> folders,
               std::map<std::string, std::string> own = {})
       : seed_(seed), folders_(std::move(folders)), own_(std::move(own)) {}
@@ -74,7 +74,7 @@ struct LabQuantity {
   std::vector<std::string> runs;  ///< whose results it takes
   /// In `unit`, NaN where the results do not have it.
   std::function<double(const SeedResults&)> value;
-  /// In its place, of one that is told from all seeds together, such as scatter; two at least.
+  /// In its place, of one that follows from all seeds together, such as scatter; two at least.
   std::function<double(const std::vector<SeedResults>&)> over_seeds = {};
 };
 
@@ -84,8 +84,8 @@ using LabCharts = std::function<std::vector<results::ExperimentChart>(const std:
 struct LabPlan {
   std::vector<LabRun> runs;
   std::vector<LabQuantity> quantities;
-  LabCharts charts;                   ///< nothing: none
-  std::vector<OwnRun> own_runs = {};  ///< that no scene can say
+  LabCharts charts;                         ///< nothing: none
+  std::vector<CustomRun> custom_runs = {};  ///< that no scene file can describe
 };
 
 struct SceneExperiment {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "process/laboratory/stability/pair_encounter.h"
+#include "process/laboratory/stability/pair_collision.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
 
@@ -41,9 +41,40 @@ double rebound_error(engine::SimulationSettings settings, double time_step, doub
   return largest;
 }
 
+constexpr double kLudingLoading = 100, kLudingSpeed = 0.2;  // N/m, m/s
+
+/// kg, of two spheres of the thesis.
+double pair_mass() {
+  return 0.5 * thesis_grain(ThesisGrain::sphere).mass;
+}
+
+/// k_2 is `ratio` times k_1.
+laws::LudingNormal::Parameters luding_spring(double ratio) {
+  return {.loading = kLudingLoading, .unloading = ratio * kLudingLoading, .plasticity_depth = 1e-4};
+}
+
+/// s, 2 sqrt(m_eff / k_2).
+double luding_step_predicted(double ratio) {
+  const double radius = thesis_grain(ThesisGrain::sphere).sphere_radius, mass = pair_mass();
+  const laws::LudingNormal spring(luding_spring(ratio), {radius, radius, 2 * mass, 2 * mass});
+  return 2 * std::sqrt(mass / spring.stiffness(0, nullptr));
+}
+
+/// s, the largest step whose rebound is within 0.05 of the impact speed of that of a fine one.
+double luding_step_found(double ratio) {
+  const auto settings = with_law({.normal = luding_spring(ratio)});
+  const double period = std::numbers::pi * std::sqrt(pair_mass() / kLudingLoading);
+  const double fine = 1e-3 * 2 * std::sqrt(pair_mass() / (ratio * kLudingLoading));
+  auto exact_settings = settings;
+  exact_settings.time_step = fine;
+  const double exact =
+      meet_head_on(exact_settings, kLudingSpeed, 0.5, std::lround(4 * period / fine)).rebound;
+  return largest_that_holds(fine, 4 * period, 0.03, [&](double time_step) {
+    return rebound_error(settings, time_step, kLudingSpeed, 4 * period, 0, exact) < 0.05;
+  });
+}
+
 void luding(const ExperimentOptions& options, results::ExperimentResult& result) {
-  constexpr double kLoading = 100, kSpeed = 0.2;  // N/m, m/s
-  const double mass = 0.5 * thesis_grain(ThesisGrain::sphere).mass;
   results::ExperimentChart chart;
   chart.name = "luding_time_step";
   chart.title = "Time step that Luding's unloading spring needs";
@@ -55,41 +86,21 @@ void luding(const ExperimentOptions& options, results::ExperimentResult& result)
   ExperimentSeries measured{.name = "rebound right within 0.05", .x = {}, .y = {}};
   ExperimentSeries theory{.name = "2 sqrt(m_eff / k_2)", .role = Role::predicted, .x = {}, .y = {}};
   ExperimentSeries loading{.name = "2 sqrt(m_eff / k_1)", .role = Role::predicted, .x = {}, .y = {}};
-  const auto spring_of = [](double ratio) {
-    return laws::LudingNormal::Parameters{
-        .loading = kLoading, .unloading = ratio * kLoading, .plasticity_depth = 1e-4};
-  };
-  const auto predicted = [&](double ratio) {
-    const double radius = thesis_grain(ThesisGrain::sphere).sphere_radius;
-    return 2 * std::sqrt(mass / laws::LudingNormal(spring_of(ratio), {radius, radius, 2 * mass, 2 * mass})
-                                    .stiffness(0, nullptr));
-  };
-  const auto step_for = [&](double ratio) {
-    const auto settings = with_law({.normal = spring_of(ratio)});
-    const double period = std::numbers::pi * std::sqrt(mass / kLoading);
-    const double fine = 1e-3 * 2 * std::sqrt(mass / (ratio * kLoading));
-    auto exact_settings = settings;
-    exact_settings.time_step = fine;
-    const double exact = meet_head_on(exact_settings, kSpeed, 0.5, std::lround(4 * period / fine)).rebound;
-    return largest_that_holds(fine, 4 * period, 0.03, [&](double time_step) {
-      return rebound_error(settings, time_step, kSpeed, 4 * period, 0, exact) < 0.05;
-    });
-  };
   for (const double ratio : logarithmic_range(1.2, 600, options.quick ? 8 : 16)) {
     for (auto* curve : {&measured, &theory, &loading}) curve->x.push_back(ratio);
-    measured.y.push_back(1e6 * step_for(ratio));
-    theory.y.push_back(1e6 * predicted(ratio));
-    loading.y.push_back(2e6 * std::sqrt(mass / kLoading));
+    measured.y.push_back(1e6 * luding_step_found(ratio));
+    theory.y.push_back(1e6 * luding_step_predicted(ratio));
+    loading.y.push_back(2e6 * std::sqrt(pair_mass() / kLudingLoading));
   }
-  result.limits.push_back({"Luding, k_2 / k_1 = 20: step with rebound right within 0.05", step_for(20),
-                           predicted(20), "s", "2 sqrt(m_eff / k_2)"});
+  result.limits.push_back({"Luding, k_2 / k_1 = 20: step with rebound right within 0.05",
+                           luding_step_found(20), luding_step_predicted(20), "s", "2 sqrt(m_eff / k_2)"});
   chart.series = {measured, theory, loading};
   result.charts.push_back(chart);
 }
 
 /// m/s, speed just above that at which attraction of `well` (J) would hold the pair.
 double speed_above(double well) {
-  return 1.5 * std::sqrt(2 * well / (0.5 * thesis_grain(ThesisGrain::sphere).mass));
+  return 1.5 * std::sqrt(2 * well / pair_mass());
 }
 
 /// Steps at which a pair still flies apart as fast as it came, within 0.05, against the smallest gap.

@@ -9,6 +9,7 @@
 #include "process/laboratory/stability/profile_walls.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
+#include "process/powder/empty_annulus.h"
 #include "process/powder/material.h"
 #include "process/tooling/rest.h"
 
@@ -20,7 +21,6 @@ using results::ExperimentSeries;
 using Role = ExperimentSeries::Role;
 
 constexpr double kWidth = 8e-3, kDepth = 12e-3;  // m, of the slot and the ring, and how deep they are
-constexpr double kAnnulus = 1.4;                 // d
 constexpr double kOneSeed = 0.2;                 // d / b below which a ring is filled once
 constexpr double kPublished = 0.47 / 2.488;      // d / b of the source's narrow ring
 constexpr double kBedFraction = 0.39;            // solid, of a wide bed (STABILITY.md, time step)
@@ -156,7 +156,7 @@ void fill(bool ring, const std::vector<double>& coarseness, const ExperimentOpti
     const std::uint64_t seeds = options.quick || (ring && share < kOneSeed) ? 1 : 3;
     Cavity cavity{.ring = ring, .width = kWidth, .diameter = share * kWidth};
     Cavity widened = cavity;
-    widened.width += kAnnulus * cavity.diameter;
+    widened.width += kEmptyAnnulus * cavity.diameter;
     double as_is = 0, when_wider = 0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
       as_is += filled_share(cavity, seed, options.threads) / static_cast<double>(seeds);
@@ -164,7 +164,7 @@ void fill(bool ring, const std::vector<double>& coarseness, const ExperimentOpti
     }
     plain.y.push_back(as_is);
     wider.y.push_back(when_wider);
-    theory.y.push_back(kBedFraction * std::max(0.0, 1 - kAnnulus * share));
+    theory.y.push_back(kBedFraction * std::max(0.0, 1 - kEmptyAnnulus * share));
     const std::string name = what + ", d / b = " + std::to_string(share).substr(0, 5);
     result.limits.push_back(
         {name + ": solid volume over nominal volume", as_is, theory.y.back(), "1", "empty annulus of 1.4 d"});

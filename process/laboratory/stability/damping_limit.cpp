@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/limits/time_step.h"
-#include "process/laboratory/stability/pair_encounter.h"
+#include "process/laboratory/stability/pair_collision.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
 

@@ -49,7 +49,7 @@ double energy_growth(const ElasticGas& gas, double time_step, double duration) {
   engine::Simulation simulation(settings, gas.walls);
   simulation.add_grains(gas.grains);
   const double start = engine::energy_of(simulation).kinetic();
-  return energy_from_nowhere(simulation, std::lround(duration / time_step), start);
+  return spurious_energy(simulation, std::lround(duration / time_step), start);
 }
 
 }  // namespace diefill::process::laboratory

@@ -50,7 +50,7 @@ Search search(const std::vector<double>& values, double ShearedSlurry::*quantity
   found.series.name = "measured";
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double value = values[k];
-    options.tell((nth + static_cast<double>(k) / static_cast<double>(values.size())) / 3, "fluid");
+    options.on_progress((nth + static_cast<double>(k) / static_cast<double>(values.size())) / 3, "fluid");
     ShearedSlurry fluid{.rate = 0};
     fluid.*quantity = value;
     const double error = temperature_error(fluid, options);

@@ -7,8 +7,8 @@
 #include "engine/limits/time_step.h"
 #include "engine/numerics/out_of_range.h"
 #include "process/laboratory/stability/registry.h"
-#include "process/laboratory/stability/settled_pile.h"
 #include "process/laboratory/stability/trial.h"
+#include "process/laboratory/stability/undamped_bed.h"
 #include "process/machine/force_control.h"
 
 namespace diefill::process::laboratory {
@@ -33,7 +33,7 @@ struct PressedBed {
 
 PressedBed bed_to_press(bool quick) {
   const auto shape = thesis_grain(ThesisGrain::sphere);
-  const SettledPile pile = settled_pile(shape, 0, quick ? 5 : 10, quick ? 6 : 12);
+  const UndampedBed pile = undamped_bed(shape, 0, quick ? 5 : 10, quick ? 6 : 12);
   PressedBed bed{pile.settings, pile.grains, 0};
   engine::ContactParameters contact = pile.contact;
   contact.damping = 1e6 * shape.sphere_radius;

@@ -62,7 +62,7 @@ double moment_of_inertia(const engine::GrainShape& sphere) {
 }
 
 void chatter(const ExperimentOptions& options, results::ExperimentResult& result) {
-  constexpr double kStep = 5e-6, kLeast = 1e-8;  // s; rad/s, what the chart goes down to
+  constexpr double kStep = 5e-6, kMin = 1e-8;  // s; rad/s, what the chart goes down to
   const auto sphere = thesis_grain(ThesisGrain::sphere);
   results::ExperimentChart chart;
   chart.name = "rolling_chatter";
@@ -72,13 +72,13 @@ void chatter(const ExperimentOptions& options, results::ExperimentResult& result
       "As published: half the change by a torque that reverses in every step, mu_r R m g dt / 2 I. "
       "Lower edge: that or less.";
   chart.x = {.label = "Rolling friction coefficient", .logarithmic = true};
-  chart.y = {.label = "Largest spin [rad/s]", .logarithmic = true, .lower = kLeast, .upper = 1};
+  chart.y = {.label = "Largest spin [rad/s]", .logarithmic = true, .lower = kMin, .upper = 1};
   ExperimentSeries left{.name = "constant torque", .x = {}, .y = {}};
   ExperimentSeries printed{.name = "as printed (theory)", .role = Role::predicted, .x = {}, .y = {}};
   for (const double coefficient : logarithmic_range(0.01, 1, options.quick ? 7 : 15)) {
     for (auto* curve : {&left, &printed}) curve->x.push_back(coefficient);
     const laws::LoadRolling::Parameters rolling{.rolling_friction = coefficient};
-    left.y.push_back(std::max(kLeast, spin_that_remains(resting_sphere(rolling), kStep, 0.5, 5)));
+    left.y.push_back(std::max(kMin, spin_that_remains(resting_sphere(rolling), kStep, 0.5, 5)));
     printed.y.push_back(0.5 * coefficient * sphere.sphere_radius * sphere.mass * 9.81 * kStep /
                         moment_of_inertia(sphere));
   }

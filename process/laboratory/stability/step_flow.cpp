@@ -80,14 +80,14 @@ std::vector<engine::NewGrain> lattice(const FlowCase& flow, double solid_volume)
 }
 
 void run_until_rest(engine::Simulation& simulation, double diameter, double longest,
-                    const std::function<void()>& look) {
+                    const std::function<void()>& sample) {
   RestWatch rest;
   engine::ValidityMonitor monitor;
   const double end = simulation.time() + longest;
   do {
     for (int k = 0; k < 50; ++k) simulation.step();
     monitor.check(simulation);
-    look();
+    sample();
   } while (simulation.time() < end && !rest.at_rest(simulation, diameter));
 }
 

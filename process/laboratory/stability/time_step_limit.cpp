@@ -8,7 +8,7 @@
 #include "engine/limits/time_step.h"
 #include "process/laboratory/stability/elastic_gas.h"
 #include "process/laboratory/stability/registry.h"
-#include "process/laboratory/stability/settled_pile.h"
+#include "process/laboratory/stability/undamped_bed.h"
 
 namespace diefill::process::laboratory {
 
@@ -161,16 +161,16 @@ void find_in_pile(const ExperimentOptions& options, results::ExperimentResult& r
                                        {"model D", ThesisGrain::d, 0},
                                        {"model D, friction 0.5", ThesisGrain::d, 0.5}};
   for (const auto& each : cases) {
-    const auto pile = settled_pile(thesis_grain(each.kind), each.friction, 5, options.quick ? 5 : 12);
+    const auto pile = undamped_bed(thesis_grain(each.kind), each.friction, 5, options.quick ? 5 : 12);
     const double stable = 2 / pile.eigenfrequency;
     ExperimentSeries curve{.name = each.name, .x = {}, .y = {}};
     for (const double over : linear_range(0.1, 1.3, options.quick ? 13 : 25)) {
       curve.x.push_back(over);
-      curve.y.push_back(std::clamp(pile_energy_growth(pile, over * stable, steps), kFloor, 1.0));
+      curve.y.push_back(std::clamp(bed_energy_growth(pile, over * stable, steps), kFloor, 1.0));
     }
     chart.series.push_back(curve);
     const double limit = largest_that_holds(0.1 * stable, 4 * stable, 0.03, [&](double time_step) {
-      return pile_energy_growth(pile, time_step, steps) < kAllowedGrowth;
+      return bed_energy_growth(pile, time_step, steps) < kAllowedGrowth;
     });
     result.limits.push_back({"settled bed of " + each.name + ": step at 1 % energy gained", limit, stable,
                              "s", "2 / largest eigenfrequency of the contact network"});

@@ -80,7 +80,7 @@ double collision_time(const engine::GrainShape& shape, const engine::ContactPara
   return 3.218 * std::pow(mass * mass / (spring * spring * speed), 0.2);
 }
 
-double energy_from_nowhere(engine::Simulation& simulation, long steps, double scale) {
+double spurious_energy(engine::Simulation& simulation, long steps, double scale) {
   constexpr long kSamples = 200;
   std::vector<double> gained;
   const long every = std::max(1L, steps / kSamples);

@@ -48,6 +48,6 @@ double collision_time(const engine::GrainShape& shape, const engine::ContactPara
 /// explain in the mean over the last quarter of the run less that over the second, so that the steady offset
 /// between the energy of velocity Verlet and the true one does not count as growth. Infinite where the powder
 /// left all bounds or gained more than `scale`.
-double energy_from_nowhere(engine::Simulation& simulation, long steps, double scale);
+double spurious_energy(engine::Simulation& simulation, long steps, double scale);
 
 }  // namespace diefill::process::laboratory

@@ -5,8 +5,8 @@
 
 #include "engine/limits/time_step.h"
 #include "process/laboratory/stability/registry.h"
-#include "process/laboratory/stability/settled_pile.h"
 #include "process/laboratory/stability/trial.h"
+#include "process/laboratory/stability/undamped_bed.h"
 
 namespace diefill::process::laboratory {
 
@@ -25,7 +25,7 @@ struct SlidingBed {
 
 SlidingBed bed_of(ThesisGrain kind, bool quick) {
   const auto shape = thesis_grain(kind);
-  const SettledPile pile = settled_pile(shape, kGrainFriction, quick ? 6 : 8, quick ? 6 : 10);
+  const UndampedBed pile = undamped_bed(shape, kGrainFriction, quick ? 6 : 8, quick ? 6 : 10);
   SlidingBed bed{pile.settings, pile.grains};
   auto& settings = bed.settings;
   engine::ContactParameters grains = pile.contact;

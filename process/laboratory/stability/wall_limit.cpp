@@ -103,6 +103,34 @@ double drawn(double speed) {
   return speed > 0.0101 ? speed : std::nan("");
 }
 
+/// Speeds that push the grain of `base` through, over spacings: found, and by the elastic energy.
+void add_push_through(const std::string& name, const Target& base, int spacings,
+                      results::ExperimentChart& chart) {
+  ExperimentSeries measured{.name = name, .x = {}, .y = {}};
+  ExperimentSeries predicted{
+      .name = "energy: " + name, .role = Role::predicted, .x = {}, .y = {}, .in_legend = false};
+  for (const double spacing : linear_range(0.4, 2.2, spacings)) {
+    Target target = base;
+    target.spacing = spacing;
+    measured.x.push_back(spacing);
+    measured.y.push_back(drawn(speed_that_passes(target)));
+    predicted.x.push_back(spacing);
+    predicted.y.push_back(drawn(speed_of_barrier(target)));
+  }
+  chart.series.push_back(measured);
+  chart.series.push_back(predicted);
+}
+
+/// The speed at which the run of a sphere against a wall of equal spheres stops by itself.
+results::ExperimentLimit noticed_limit(const engine::GrainShape& sphere) {
+  const Target standard{.shape = sphere, .wall_radius = sphere.sphere_radius};
+  const double forbidden = engine::ValidityLimits{}.forbidden_wall_overlap * sphere.sphere_radius;
+  const double noticed = largest_that_holds(
+      0.01, 300, 0.02, [&](double speed) { return fly_at(standard, speed).deepest < forbidden; });
+  return {"speed at which the validity monitor stops the run (300: at none tried), spacing 1.6 R_w, R_w = R",
+          noticed, std::nan(""), "m/s", "ValidityLimits::forbidden_wall_overlap"};
+}
+
 void push_through(const ExperimentOptions& options, results::ExperimentResult& result) {
   results::ExperimentChart chart;
   chart.name = "wall_push_through";
@@ -122,31 +150,13 @@ void push_through(const ExperimentOptions& options, results::ExperimentResult& r
       {"sphere, R_w = 3 R", {.shape = sphere, .wall_radius = 3 * fine}},
       {"model D on an arm, R_w = 1.91 R", {.shape = clump, .wall_radius = 1.5e-4}}};
   for (const auto& [name, base] : cases) {
-    ExperimentSeries measured{.name = name, .x = {}, .y = {}};
-    ExperimentSeries predicted{
-        .name = "energy: " + name, .role = Role::predicted, .x = {}, .y = {}, .in_legend = false};
-    for (const double spacing : linear_range(0.4, 2.2, options.quick ? 10 : 19)) {
-      Target target = base;
-      target.spacing = spacing;
-      measured.x.push_back(spacing);
-      measured.y.push_back(drawn(speed_that_passes(target)));
-      predicted.x.push_back(spacing);
-      predicted.y.push_back(drawn(speed_of_barrier(target)));
-    }
-    chart.series.push_back(measured);
-    chart.series.push_back(predicted);
+    add_push_through(name, base, options.quick ? 10 : 19, chart);
     Target standard = base;
     standard.spacing = 1.6;
     result.limits.push_back({"push-through, spacing 1.6 R_w, " + name, speed_that_passes(standard),
                              speed_of_barrier(standard), "m/s", "elastic energy on the way through"});
   }
-  Target standard{.shape = sphere, .wall_radius = fine};
-  const double forbidden = engine::ValidityLimits{}.forbidden_wall_overlap * sphere.sphere_radius;
-  const double noticed = largest_that_holds(
-      0.01, 300, 0.02, [&](double speed) { return fly_at(standard, speed).deepest < forbidden; });
-  result.limits.push_back(
-      {"speed at which the validity monitor stops the run (300: at none tried), spacing 1.6 R_w, R_w = R",
-       noticed, std::nan(""), "m/s", "ValidityLimits::forbidden_wall_overlap"});
+  result.limits.push_back(noticed_limit(sphere));
   result.charts.push_back(chart);
 }
 

@@ -39,8 +39,8 @@ double mean_friction(const SphereGrid& grid, double speed, int directions) {
     const double angle = 0.25 * std::numbers::pi * (k + 0.5) / directions;
     const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0);
     const auto wall = level_spheres(grid, way + broad, [&](const Eigen::Vector3d& centre) {
-      const double aside = centre.x() * along.y() - centre.y() * along.x();
-      return centre.dot(along) > -broad && std::abs(aside) < broad;
+      const double lateral = centre.x() * along.y() - centre.y() * along.x();
+      return centre.dot(along) > -broad && std::abs(lateral) < broad;
     });
     sum += friction_felt(wall, speed, angle) / directions;
   }

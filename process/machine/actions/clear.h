@@ -1,5 +1,5 @@
-// Removes the powder that is not in the die: what is left in the shoe and on the plate costs time and has no
-// effect any more.
+// Removes powder: all that is not in the die, as what is left in the shoe and on the plate costs time and has
+// no effect any more, or all above a height, or but the lowest part, which cuts a bed flat.
 #pragma once
 
 #include <memory>
@@ -13,9 +13,11 @@
 
 namespace diefill::process {
 
-/// What stays: powder in the cavity and up to `heap` m above its fill plane.
+/// What stays: powder in the cavity and up to `heap` m above its fill plane, or where `above` is given, all
+/// grains with their centres up to this height (m), or where `lowest` is given, this share of all grains.
 struct PowderRemoval {
   double heap = 0;
+  std::optional<double> above, lowest;
 };
 
 class Clear final : public Step {
@@ -23,7 +25,7 @@ class Clear final : public Step {
   explicit Clear(const PowderRemoval& removal) : removal_(removal) {}
   std::optional<double> duration() const override { return 0; }
   const PowderRemoval* removal() const override { return &removal_; }
-  std::string description() const override { return "removal of powder outside the die"; }
+  std::string description() const override;
 
  private:
   PowderRemoval removal_;

@@ -16,7 +16,7 @@ namespace diefill::process {
 struct PowderInflow {
   Eigen::Vector3d lower = Eigen::Vector3d::Zero(), upper = Eigen::Vector3d::Zero();  ///< m, at the start
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s of the grains that come in, besides the tool's
-  std::optional<double> mass;                          ///< kg in all; nothing: until the step is told to stop
+  std::optional<double> mass;                          ///< kg in all; nothing: until the step is stopped
   std::optional<double> rate;  ///< kg/s; nothing: as fast as room comes free, as out of a full hopper
   std::string with;            ///< name of the tool that the box goes along with; empty: it stands
   std::string powder;          ///< name of the powder; empty: the mixture of all by their shares

@@ -1,9 +1,11 @@
 #include "process/machine/actions/wait.h"
 
+#include "process/machine/motion_limits.h"
+
 namespace diefill::process {
 namespace {
 
-constexpr QuantityRule kDuration = {Dimension::time, "50 ms", "0 s", "1000 s", true};
+constexpr QuantityRule kDuration = {Dimension::time, "50 ms", "0 s", motion_limits::kLongest, true};
 
 }  // namespace
 

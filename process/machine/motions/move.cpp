@@ -2,16 +2,18 @@
 
 #include <cmath>
 
+#include "process/machine/motion_limits.h"
 #include "process/machine/moving_tool.h"
 #include "process/results/word_list.h"
 
 namespace diefill::process {
 namespace {
 
-constexpr QuantityRule kVelocity = {Dimension::velocity, "0.02 m/s", "0 m/s", "10 m/s", true};
+constexpr QuantityRule kVelocity = {Dimension::velocity, "0.02 m/s", "0 m/s", motion_limits::kFastest, true};
 constexpr QuantityRule kAcceleration = {Dimension::acceleration, "10 m/s^2", "0 m/s^2", "10000 m/s^2", true};
-constexpr QuantityRule kDistance = {Dimension::length, "20 mm", "0 mm", "10 m", true};
-constexpr QuantityRule kStation = {Dimension::length, "20 mm", "-10 m", "10 m"};
+constexpr QuantityRule kDistance = {Dimension::length, "20 mm", "0 mm", motion_limits::kFarthest, true};
+constexpr QuantityRule kStation = {Dimension::length, "20 mm", motion_limits::kFarthestBack,
+                                   motion_limits::kFarthest};
 constexpr QuantityRule kPause = {Dimension::time, "50 ms", "0 s", "60 s"};
 
 std::vector<double> read_stations(TableReader& table) {

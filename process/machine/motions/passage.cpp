@@ -5,18 +5,18 @@
 #include <stdexcept>
 
 #include "process/input/scene_error.h"
+#include "process/machine/motion_limits.h"
 #include "process/machine/moving_tool.h"
 
 namespace diefill::process {
 namespace {
 
-// Upper limits: far above any press, where a wrong unit is the likelier reason.
-constexpr QuantityRule kVelocity = {Dimension::velocity, "0.2 m/s", "0 m/s", "10 m/s", true};
+constexpr QuantityRule kVelocity = {Dimension::velocity, "0.2 m/s", "0 m/s", motion_limits::kFastest, true};
 constexpr QuantityRule kAcceleration = {Dimension::acceleration, "10 m/s^2", "0 m/s^2", "10000 m/s^2", true};
 constexpr QuantityRule kClearance = {Dimension::length, "2 mm", "0 mm", "1 m"};
 constexpr QuantityRule kPause = {Dimension::time, "50 ms", "0 s", "60 s"};
-constexpr QuantityRule kTravel = {Dimension::length, "60 mm", "0 mm", "10 m", true};
-constexpr int kMostPassages = 1000;
+constexpr QuantityRule kTravel = {Dimension::length, "60 mm", "0 mm", motion_limits::kFarthest, true};
+constexpr int kMaxPassages = 1000;
 
 struct Extent {
   double lower, upper;
@@ -103,7 +103,7 @@ std::shared_ptr<Step> read_passage(TableReader& table, const std::vector<ToolSpe
   spec.tool = read_moving_tool(table, tools, {ToolRole::shoe, ToolRole::plate});
   spec.velocity = table.required_quantity("velocity", kVelocity);
   spec.acceleration = table.quantity("acceleration", kAcceleration).value_or(spec.acceleration);
-  spec.passages = static_cast<int>(table.integer("passages", 1, kMostPassages).value_or(spec.passages));
+  spec.passages = static_cast<int>(table.integer("passages", 1, kMaxPassages).value_or(spec.passages));
   spec.direction = level_direction(table);
   spec.clearance = table.quantity("clearance", kClearance).value_or(spec.clearance);
   spec.pause = table.quantity("pause", kPause).value_or(spec.pause);

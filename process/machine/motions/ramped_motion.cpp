@@ -4,13 +4,14 @@
 #include <limits>
 
 #include "process/input/numbers_apart.h"
+#include "process/machine/motion_limits.h"
 #include "process/machine/moving_tool.h"
 
 namespace diefill::process {
 namespace {
 
 constexpr QuantityRule kRamp = {Dimension::time, "30 ms", "0 s", "100 s", true};
-constexpr QuantityRule kDuration = {Dimension::time, "1 s", "0 s", "1000 s", true};
+constexpr QuantityRule kDuration = {Dimension::time, "1 s", "0 s", motion_limits::kLongest, true};
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 }  // namespace

@@ -2,13 +2,15 @@
 
 #include <numbers>
 
+#include "process/machine/motion_limits.h"
 #include "process/machine/moving_tool.h"
 #include "process/results/word_list.h"
 
 namespace diefill::process {
 namespace {
 
-constexpr QuantityRule kSpeed = {Dimension::angular_velocity, "60 rpm", "-60000 rpm", "60000 rpm"};
+constexpr QuantityRule kSpeed = {Dimension::angular_velocity, "60 rpm", motion_limits::kFastestTurnBack,
+                                 motion_limits::kFastestTurn};
 constexpr double kRamp = 0.1;  // s
 
 }  // namespace

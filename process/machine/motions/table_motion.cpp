@@ -8,16 +8,14 @@
 #include "process/input/numbers_apart.h"
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
+#include "process/machine/motion_limits.h"
 #include "process/machine/moving_tool.h"
 #include "process/results/word_list.h"
 
 namespace diefill::process {
 namespace {
 
-constexpr std::size_t kMostPoints = 100000;
-// As far, as fast and as long as the other motions of scenes may be.
-constexpr double kFarthest = 10, kFastest = 10, kLongest = 1000;  // m, m/s, s
-constexpr double kFastestTurn = 2000 * std::numbers::pi;          // rad/s: 60000 rpm
+constexpr std::size_t kMaxPoints = 100000;
 
 const std::vector<std::string> kNames = {"time", "x", "y", "z", "angle"};
 
@@ -77,11 +75,13 @@ double value_in(const CsvFile& file, std::size_t cell, const Column& column) {
     throw SceneError(where + '"' + one_line(file.cells()[cell]) + "\", " + error.what());
   }
   const std::string found = where + one_line(file.cells()[cell]) + ' ' + column.unit;
-  if (column.quantity < 0 && (value < 0 || value > kLongest))
-    throw SceneError(found + ", allowed: 0 to " + number_text(kLongest) + " s");
-  if (dimension_of(column) == Dimension::length && std::abs(value) > kFarthest)
-    throw SceneError(found + ", allowed: -" + number_text(kFarthest) + " to " + number_text(kFarthest) +
-                     " m");
+  static const double longest = parse_quantity(motion_limits::kLongest, Dimension::time),
+                      farthest = parse_quantity(motion_limits::kFarthest, Dimension::length);
+  if (column.quantity < 0 && (value < 0 || value > longest))
+    throw SceneError(found + ", allowed: 0 to " + std::string(motion_limits::kLongest));
+  if (dimension_of(column) == Dimension::length && std::abs(value) > farthest)
+    throw SceneError(found + ", allowed: -" + number_text(farthest) + " to " +
+                     std::string(motion_limits::kFarthest));
   return value;
 }
 
@@ -95,11 +95,11 @@ void refuse_too_fast(const MotionTable& table, double time, const Eigen::Vector4
     throw SceneError(place + ": found a motion at " + found + " since the line before, allowed: up to " +
                      allowed + "; check the times and their unit");
   };
-  if (speed > kFastest) refuse(number_text(speed) + " m/s", number_text(kFastest) + " m/s");
-  if (turn > kFastestTurn) {
-    const double rpm = 30 / std::numbers::pi;
-    refuse(number_text(turn * rpm) + " rpm", number_text(kFastestTurn * rpm) + " rpm");
-  }
+  static const double fastest = parse_quantity(motion_limits::kFastest, Dimension::velocity),
+                      fastest_turn = parse_quantity(motion_limits::kFastestTurn, Dimension::angular_velocity);
+  if (speed > fastest) refuse(number_text(speed) + " m/s", std::string(motion_limits::kFastest));
+  if (turn > fastest_turn)
+    refuse(number_text(turn * 30 / std::numbers::pi) + " rpm", std::string(motion_limits::kFastestTurn));
 }
 
 void add_point(MotionTable& table, const std::vector<Column>& columns, const CsvFile& file) {
@@ -143,8 +143,8 @@ MotionTable read_motion_table(const std::filesystem::path& path, const std::stri
   if (file.next()) columns = columns_of(file);
   while (file.next()) {
     add_point(table, columns, file);
-    if (table.time.size() > kMostPoints)
-      throw SceneError(file.place() + ": found more than " + std::to_string(kMostPoints) +
+    if (table.time.size() > kMaxPoints)
+      throw SceneError(file.place() + ": found more than " + std::to_string(kMaxPoints) +
                        " points; remove points on smooth parts of the path");
   }
   if (table.time.size() < 2)

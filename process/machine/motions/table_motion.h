@@ -18,8 +18,8 @@ struct MotionTable {
 };
 
 /// Reads a CSV file. Its first line names the columns with their units, such as `time s, x mm, angle deg`:
-/// time, and one or more of x, y, z, angle, each once. Places up to 10 m, 10 m/s, 60000 rpm and 1000 s are
-/// allowed, as in other motions. `where` begins messages. Throws SceneError with file, line and column.
+/// time, and one or more of x, y, z, angle, each once. Limits as of other motions (motion_limits.h).
+/// `where` begins messages. Throws SceneError with file, line and column.
 MotionTable read_motion_table(const std::filesystem::path& file, const std::string& where);
 
 class TableMotion final : public Step {

@@ -16,7 +16,7 @@ namespace diefill::process {
 namespace {
 
 constexpr double kMillimetre = 1e-3;
-constexpr double kMostNodes = 120;  // along the longer side
+constexpr double kMaxNodes = 120;  // along the longer side
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// The two axes that a map runs along and the one that it averages over.
@@ -59,7 +59,7 @@ results::Field2D empty_map(const results::CavityState& cavity, const Axes& axes,
   const Eigen::Vector3d &lower = cavity.lower_corner, &upper = cavity.upper_corner;
   const double longer =
       std::max(upper[axes.first] - lower[axes.first], upper[axes.second] - lower[axes.second]);
-  const double apart = std::max(step, longer / kMostNodes);
+  const double apart = std::max(step, longer / kMaxNodes);
   const auto in_mm = [&](int axis) {
     std::vector<double> places = nodes(lower[axis], upper[axis], apart);
     for (double& place : places) place = (place - (axis == 2 ? lower.z() : 0)) / kMillimetre;
@@ -162,8 +162,8 @@ results::Field2D box_map(const results::FillResult& result, BoxView view, double
   const auto is_tool = [&](std::size_t i, std::size_t j) {
     return results::is_inside_tool(map.value[j * map.first.size() + i]);
   };
-  draw_in(near, {map.first.size(), map.second.size(), first_step, second_step, false}, outline_depth(places),
-          is_tool);
+  erode_edges(near, {map.first.size(), map.second.size(), first_step, second_step, false},
+              outline_depth(places), is_tool);
   for (std::size_t n = 0; n < near.size(); ++n)
     if (near[n] == 0 && !results::is_inside_tool(map.value[n])) map.value[n] = kNone;
   return map;

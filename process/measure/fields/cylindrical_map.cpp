@@ -16,8 +16,8 @@ namespace diefill::process {
 namespace {
 
 constexpr double kMillimetre = 1e-3;
-constexpr int kMostHeights = 240;
-constexpr double kMostHeap = 0.25;  // of the cavity's depth: as much of a heap is on the map
+constexpr int kMaxHeights = 240;
+constexpr double kMaxHeap = 0.25;  // of the cavity's depth: as much of a heap is on the map
 
 /// Whole numbers of nodes round the circle, spaced by 2, 1 or 0.5 degrees: arcs no longer than 2 sigma if
 /// possible.
@@ -44,9 +44,9 @@ double highest_grain(const results::PowderState& powder, const results::CavitySt
 /// mm from the floor to the fill plane, a node on each, and on to the top of a heap; about sigma / 2 apart.
 std::vector<double> height_nodes(double depth, double highest, double averaging_width) {
   const int intervals =
-      std::clamp(static_cast<int>(std::ceil(depth / (0.5 * averaging_width))), 1, kMostHeights);
+      std::clamp(static_cast<int>(std::ceil(depth / (0.5 * averaging_width))), 1, kMaxHeights);
   const double step = depth / intervals;
-  const double heap = std::clamp(highest - depth, 0.0, kMostHeap * depth);
+  const double heap = std::clamp(highest - depth, 0.0, kMaxHeap * depth);
   const int beyond = static_cast<int>(std::ceil(heap / step));
   std::vector<double> nodes;
   for (int j = 0; j <= intervals + beyond; ++j) nodes.push_back(j * step / kMillimetre);
@@ -103,10 +103,10 @@ std::vector<std::uint8_t> powder_nodes(const results::PowderState& powder, const
         return places.near(ring_point(cavity, {azimuth, r, map.second[j] * kMillimetre}));
       }));
   const double arc = 0.5 * (cavity.inner_radius + cavity.outer_radius) * std::numbers::pi / 180;
-  draw_in(near,
-          {map.first.size(), map.second.size(), arc * (map.first[1] - map.first[0]),
-           kMillimetre * (map.second[1] - map.second[0]), true},
-          outline_depth(places), [&](std::size_t, std::size_t j) { return free[j].empty(); });
+  erode_edges(near,
+              {map.first.size(), map.second.size(), arc * (map.first[1] - map.first[0]),
+               kMillimetre * (map.second[1] - map.second[0]), true},
+              outline_depth(places), [&](std::size_t, std::size_t j) { return free[j].empty(); });
   return near;
 }
 

@@ -81,18 +81,18 @@ void share_among_nodes(const SolidMesh& mesh, ElementDensity& density) {
 
 /// No powder is denser than its solid.
 void refuse_above_solid(const ElementDensity& density, double mass) {
-  constexpr double kMostAbove = 0.1;  // of the mass
+  constexpr double kMaxAbove = 0.1;  // of the mass
   double above = 0, filled = 0;
   for (std::size_t e = 0; e < density.mass.size(); ++e) {
     if (density.relative[e] > 1) above += density.mass[e];
     filled += density.filled[e] * density.volume[e];
   }
-  if (!(above > kMostAbove * mass)) return;
+  if (!(above > kMaxAbove * mass)) return;
   const double relative = mass / (density.solid_density * filled);
   std::array<char, 400> text{};
   std::snprintf(text.data(), text.size(),
                 "the mesh is to hold %.6g g in %.6g mm^3 that lie in the powder, a relative density of %.4g, "
-                "allowed: up to 1, the solid of %.0f kg/m^3 (%.2g %% of the mass come out above); check the "
+                "allowed: up to 1, the solid of %.0f kg/m^3 (%.3g %% of the mass come out above); check the "
                 "mass (--mass, --mesh-share), and size and place of the mesh (--mesh-unit, --mesh-position)",
                 1e3 * mass, 1e9 * filled, relative, density.solid_density, 100 * above / mass);
   throw geometry::MeshError(text.data());
@@ -112,12 +112,12 @@ double solid_density(const results::FillResult& result) {
 
 ElementDensity element_density(const results::FillResult& result, const SolidMesh& mesh,
                                const DensityRequest& request) {
-  constexpr int kMostHalvings = 12;
+  constexpr int kMaxHalvings = 12;
   const GaussianField field(result.powder, result.solid_fraction, request.averaging_width);
   std::vector<ElementSum> sums(mesh.elements.size());
   geometry::on_all_cores(sums.size(), [&](std::size_t e) {
     for (const auto& part : results::tetrahedra_of(mesh, mesh.elements[e]))
-      add_parts(part, field, request.averaging_width, kMostHalvings, sums[e]);
+      add_parts(part, field, request.averaging_width, kMaxHalvings, sums[e]);
   });
   ElementDensity density;
   density.solid_density = solid_density(result);

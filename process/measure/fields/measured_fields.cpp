@@ -47,8 +47,8 @@ results::SectionPlane section_plane(const std::string& name, const Eigen::Vector
 }
 
 double default_averaging_width(double grain_diameter) {
-  constexpr double kLeast = 5e-4;  // m
-  return std::max(kLeast, 0.5 * grain_diameter);
+  constexpr double kMin = 5e-4;  // m
+  return std::max(kMin, 0.5 * grain_diameter);
 }
 
 void measure_fields(results::FillResult& result, const FieldRequest& request, int azimuth_bins) {

@@ -17,7 +17,7 @@ struct FieldRequest {
       sections;  ///< empty: the plane through the cavity's axis along azimuth 0
 };
 
-/// Name of the section that results have where nobody asked for one.
+/// Name of the section that results have where none was requested.
 inline constexpr const char* kDefaultSection = "along the shoe's motion";
 
 /// m: sigma of Eq. 2.27 where none is given, the larger of 0.5 mm (Bierwisch 2009, Figs. 3.6, 4.12) and d/2.

@@ -15,7 +15,7 @@ namespace diefill::process {
 namespace {
 
 constexpr double kMillimetre = 1e-3;
-constexpr double kMostNodes = 400;  // along either axis
+constexpr double kMaxNodes = 400;  // along either axis
 
 /// A rectangle in the plane, m from its origin.
 struct Extent {
@@ -82,7 +82,7 @@ std::vector<std::uint8_t> powder_nodes(const results::PowderState& powder, const
   std::vector<std::uint8_t> near;
   for (const double second : grid.second)
     for (const double first : grid.first) near.push_back(places.near(point_of(plane, first, second)) ? 1 : 0);
-  draw_in(
+  erode_edges(
       near, {grid.first.size(), grid.second.size(), step, step, false}, outline_depth(places),
       [&](std::size_t i, std::size_t j) { return is_tool(point_of(plane, grid.first[i], grid.second[j])); });
   return near;
@@ -113,7 +113,7 @@ results::SectionField sample_plane(const results::PowderState& powder,
   extent.lower -= 2 * powder.grain_diameter;
   extent.upper += 2 * powder.grain_diameter;
   // Finer than the field itself asks for: walls are drawn half-way between nodes.
-  const double step = std::max(0.2 * averaging_width, (extent.upper - extent.lower).maxCoeff() / kMostNodes);
+  const double step = std::max(0.2 * averaging_width, (extent.upper - extent.lower).maxCoeff() / kMaxNodes);
   results::Field2D& grid = section.field;
   grid.first = nodes(extent.lower.x(), extent.upper.x(), step);
   grid.second = nodes(extent.lower.y(), extent.upper.y(), step);

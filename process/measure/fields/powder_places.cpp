@@ -66,8 +66,8 @@ bool PowderPlaces::near(const Eigen::Vector3d& point) const {
   return found;
 }
 
-void draw_in(std::vector<std::uint8_t>& near, const NodeGrid& grid, double depth,
-             const std::function<bool(std::size_t, std::size_t)>& is_tool) {
+void erode_edges(std::vector<std::uint8_t>& near, const NodeGrid& grid, double depth,
+                 const std::function<bool(std::size_t, std::size_t)>& is_tool) {
   if (grid.columns < 2 || grid.rows < 1) return;
   const std::vector<std::uint8_t> before = near;
   const std::vector<long> widths = half_widths(grid, depth);

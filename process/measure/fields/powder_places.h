@@ -38,13 +38,14 @@ struct NodeGrid {
   bool closed = false;  ///< the first axis runs round: its last node is its first
 };
 
-/// Takes from `near` (one a node) what lies within `depth` (m) of a node that is not near and has no tool
-/// there (`is_tool` by column and row, asked only at the edge of what is near): what is left ends at the
-/// powder's surface and at tools, and holes wider than the reach stay holes. Beyond the grid counts as near.
-void draw_in(std::vector<std::uint8_t>& near, const NodeGrid& grid, double depth,
-             const std::function<bool(std::size_t, std::size_t)>& is_tool);
+/// Erodes `near` (one a node): removes what lies within `depth` (m) of a node that is not near and has no
+/// tool there (`is_tool` by column and row, called only at the edge of what is near): what is left ends at
+/// the powder's surface and at tools, and holes wider than the reach stay holes. Beyond the grid counts as
+/// near.
+void erode_edges(std::vector<std::uint8_t>& near, const NodeGrid& grid, double depth,
+                 const std::function<bool(std::size_t, std::size_t)>& is_tool);
 
-/// Depth for draw_in that leaves the powder's own outline of what PowderPlaces calls near.
+/// Depth for erode_edges() that leaves the powder's own outline of what PowderPlaces calls near.
 inline double outline_depth(const PowderPlaces& places) {
   return (PowderPlaces::kReachOverDiameter - PowderPlaces::kSurfaceOverDiameter) * places.grain_diameter();
 }

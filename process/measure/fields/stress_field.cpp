@@ -39,11 +39,12 @@ struct StressField::Fields {
 
 StressField::StressField(const results::FillResult& result, double averaging_width) {
   const auto& powder = result.powder;
-  if (result.contact_stress.normal.size() != powder.position.size() || powder.position.empty())
+  if (powder.position.empty())
+    throw std::invalid_argument("the results contain no contact stress: they hold no grains");
+  if (result.contact_stress.normal.size() != powder.position.size())
     throw std::invalid_argument(
         "the results contain no contact stress: an earlier version wrote them, or this is an earlier "
-        "instant; run the scene "
-        "again");
+        "instant; run the scene again");
   const auto motion = motion_stress_times_volume(powder, averaging_width);
   std::vector<Eigen::Vector3d> places;
   std::vector<double> trace, zz, volume;

@@ -17,6 +17,10 @@ std::vector<double> instants_between(const results::FillResult& result, double f
 }
 
 void refuse(const results::FillResult& result, std::size_t found, double from, double to) {
+  if (result.instants.empty())
+    throw std::invalid_argument(
+        "an average over time needs at least two instants, the results contain the end only; give "
+        "measure.snapshot_interval in the scene and run it again");
   char text[280];
   std::snprintf(
       text, sizeof text,

@@ -15,7 +15,7 @@ constexpr const char* kDeep = "two diameters below the surface in the cavity";
 constexpr std::size_t kSectors = 12, kThirds = 3;
 constexpr std::size_t kHarmonicTerms = 5, kTravelTerms = 3;  // coefficients that are fitted
 
-/// A figure, the grains it stands on, and how many parts of it need kFewestGrains each.
+/// A figure, the grains it stands on, and how many parts of it need kMinGrains each.
 struct Rule {
   const char* figure;
   bool deep;  ///< stands on the counted grains (counted_grains.h); otherwise on all in the cavity
@@ -59,7 +59,7 @@ void withhold_undetermined(results::FillResult& result) {
     if (std::none_of(std::begin(group), std::end(group), beyond)) continue;
     for (const char* name : group)
       if (name != nullptr && result.figures.contains(name))
-        results::give_no_value(result, name, "the grains occupy too small a part of the cavity");
+        results::set_no_value(result, name, "the grains occupy too small a part of the cavity");
   }
 }
 
@@ -72,8 +72,8 @@ std::string too_few_text(std::size_t grains, const std::string& where, std::size
   return found + where + "; " + std::to_string(needed) + " are needed";
 }
 
-results::SolidFractionSummary worth_giving(results::SolidFractionSummary summary) {
-  if (summary.grains >= kFewestGrains) return summary;
+results::SolidFractionSummary reliable_summary(results::SolidFractionSummary summary) {
+  if (summary.grains >= kMinGrains) return summary;
   const double none = std::numeric_limits<double>::quiet_NaN();
   summary.mean = summary.arithmetic_mean = summary.std = summary.min = summary.max = summary.cv = none;
   return summary;
@@ -83,20 +83,20 @@ void withhold_poor_figures(results::FillResult& result) {
   const std::size_t deep = result.summary.grains;
   const auto filled = static_cast<std::size_t>(
       std::count(result.solid_fraction.in_cavity.begin(), result.solid_fraction.in_cavity.end(), 1));
-  result.summary = worth_giving(result.summary);
-  if (deep < kFewestGrains && result.cavity.volume > 0)
+  result.summary = reliable_summary(result.summary);
+  if (deep < kMinGrains && result.cavity.volume > 0)
     results::add_statement(result, results::kNoValueTopic, "solid_fraction",
-                           too_few_text(deep, kDeep, kFewestGrains));
+                           too_few_text(deep, kDeep, kMinGrains));
   for (const Rule& rule : rules()) {
-    const std::size_t grains = rule.deep ? deep : filled, needed = rule.parts * kFewestGrains;
+    const std::size_t grains = rule.deep ? deep : filled, needed = rule.parts * kMinGrains;
     const auto figure = result.figures.find(rule.figure);
     if (figure == result.figures.end()) continue;
     if (grains < needed)
-      results::give_no_value(result, rule.figure,
-                             too_few_text(grains, rule.deep ? kDeep : "in the cavity", needed));
+      results::set_no_value(result, rule.figure,
+                            too_few_text(grains, rule.deep ? kDeep : "in the cavity", needed));
     else if (!std::isfinite(figure->second))
-      results::give_no_value(result, rule.figure,
-                             "one of the compared regions of the cavity contains no grain to count");
+      results::set_no_value(result, rule.figure,
+                            "one of the compared regions of the cavity contains no grain to count");
   }
   withhold_undetermined(result);
 }

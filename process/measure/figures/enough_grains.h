@@ -10,8 +10,8 @@ namespace diefill::process {
 
 /// Fewest grains behind a mean, a standard deviation, or each coefficient or part of a figure that compares
 /// several. The mean of n grains is off by about their spread over sqrt(n), the spread by 1 / sqrt(2 n - 2)
-/// of itself: at 20 grains 22 % of the spread and 16 %. With fewer, figures tell of single grains.
-inline constexpr std::size_t kFewestGrains = 20;
+/// of itself: at 20 grains 22 % of the spread and 16 %. With fewer, figures describe single grains.
+inline constexpr std::size_t kMinGrains = 20;
 
 /// "only 8 grains lie two diameters below the surface in the cavity; 20 are needed".
 std::string too_few_text(std::size_t grains, const std::string& where, std::size_t needed);
@@ -22,6 +22,6 @@ std::string too_few_text(std::size_t grains, const std::string& where, std::size
 void withhold_poor_figures(results::FillResult& result);
 
 /// Copies of a summary without the numbers that too few grains stand behind.
-results::SolidFractionSummary worth_giving(results::SolidFractionSummary summary);
+results::SolidFractionSummary reliable_summary(results::SolidFractionSummary summary);
 
 }  // namespace diefill::process

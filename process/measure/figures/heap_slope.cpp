@@ -12,9 +12,9 @@
 namespace diefill::process {
 namespace {
 
-constexpr double kColumn = 2;       // d
-constexpr double kMiddle = 0.6;     // of the columns, the rest are toe and top
-constexpr std::size_t kFewest = 3;  // columns that make a slope
+constexpr double kColumn = 2;    // d
+constexpr double kMiddle = 0.6;  // of the columns, the rest are toe and top
+constexpr std::size_t kMin = 3;  // columns that make a slope
 
 /// One column's middle and the highest grain centre in it, m.
 struct Top {
@@ -55,7 +55,7 @@ double heap_slope(const results::PowderState& powder, const Eigen::Vector3d& fro
   std::vector<Top> tops = surface(powder, from, to);
   const auto cut = static_cast<std::ptrdiff_t>(0.5 * (1 - kMiddle) * static_cast<double>(tops.size()));
   tops = {tops.begin() + cut, tops.end() - cut};
-  if (tops.size() < kFewest) return std::numeric_limits<double>::quiet_NaN();
+  if (tops.size() < kMin) return std::numeric_limits<double>::quiet_NaN();
   return std::atan(std::abs(gradient(tops))) * 180 / std::numbers::pi;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 std::string no_bed(const PowderBed& bed) {
   return "no powder outside the cavity to compare with: " +
-         too_few_text(bed.grains, "two diameters below the surface there", kFewestGrains);
+         too_few_text(bed.grains, "two diameters below the surface there", kMinGrains);
 }
 
 double solid_in_cavity(const results::FillResult& result) {
@@ -36,7 +36,7 @@ PowderBed powder_bed(const results::FillResult& result, const std::vector<result
     return false;
   });
   PowderBed bed{std::numeric_limits<double>::quiet_NaN(), grains.size()};
-  if (grains.size() < kFewestGrains) return bed;
+  if (grains.size() < kMinGrains) return bed;
   double cells = 0;
   for (const std::size_t k : grains) cells += result.solid_fraction.cell_volume[k];
   bed.solid_fraction = solid_volume(powder, grains) / cells;
@@ -60,7 +60,7 @@ void add_real_mass(results::FillResult& result, const RealPowder& powder, const 
     figures["apparent_density_is_estimate"] = weighed ? 0 : 1;
     figures["full_die_mass_kg"] = apparent * volume;
   } else {
-    results::give_no_value(result, "apparent_density_kg_m3", "unknown: set powder.apparent_density");
+    results::set_no_value(result, "apparent_density_kg_m3", "unknown: set powder.apparent_density");
   }
   if (stands) {
     const double ratio = solid / volume / bed.solid_fraction;
@@ -68,7 +68,7 @@ void add_real_mass(results::FillResult& result, const RealPowder& powder, const 
     figures["expected_fill_density_kg_m3"] = ratio * apparent;
     figures["expected_mass_kg"] = ratio * apparent * volume;
   } else {
-    results::give_no_value(result, "fill_ratio", no_bed(bed));
+    results::set_no_value(result, "fill_ratio", no_bed(bed));
     if (powder.solid_density > 0) figures["estimated_mass_kg"] = solid * powder.solid_density;
   }
 }

@@ -14,7 +14,7 @@ namespace diefill::process {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kFewestOfASample = 3;
+constexpr std::size_t kMinOfASample = 3;
 constexpr double kSectors = 12;
 
 /// Sums of one bin, or of all.
@@ -54,9 +54,9 @@ struct Bins {
 
 /// Bins two of the largest grains high, as many as the cavity has room for.
 Bins over_height(const results::FillResult& result) {
-  constexpr double kMost = 12, kFewest = 2;
+  constexpr double kMax = 12, kMin = 2;
   const double floor = result.cavity.lower_corner.z(), depth = result.cavity.upper_corner.z() - floor;
-  const double count = std::clamp(std::floor(depth / (2 * result.powder.largest_diameter())), kFewest, kMost);
+  const double count = std::clamp(std::floor(depth / (2 * result.powder.largest_diameter())), kMin, kMax);
   return {"height", "mm", 1e3 * depth, static_cast<std::size_t>(count),
           [floor, depth](const Eigen::Vector3d& point) { return (point.z() - floor) / depth; }};
 }
@@ -67,10 +67,10 @@ Bins across(const results::FillResult& result) {
   if (cavity.is_ring)
     return {"azimuth", "deg", 360, static_cast<std::size_t>(kSectors),
             [cavity](const Eigen::Vector3d& point) { return ring_position(cavity, point).azimuth / 360; }};
-  constexpr double kFewest = 2;
+  constexpr double kMin = 2;
   const double length = travel_length(cavity);
   const double count =
-      std::clamp(std::floor(length / (2 * result.powder.largest_diameter())), kFewest, kSectors);
+      std::clamp(std::floor(length / (2 * result.powder.largest_diameter())), kMin, kSectors);
   return {"travel", "mm", 1e3 * length, static_cast<std::size_t>(count),
           [cavity](const Eigen::Vector3d& point) { return along_travel(cavity, point); }};
 }
@@ -84,7 +84,7 @@ results::Profile profile_over(const results::FillResult& result, const std::vect
     sums[bins.of(powder.position[k])].add(1e3 * powder.diameter_of(k), powder.mass_of(k));
   for (std::size_t n = 0; n < bins.count; ++n) {
     profile.x.push_back((static_cast<double>(n) + 0.5) * bins.length / static_cast<double>(bins.count));
-    profile.y.push_back(sums[n].grains >= kFewestOfASample ? sums[n].mean() : kNone);
+    profile.y.push_back(sums[n].grains >= kMinOfASample ? sums[n].mean() : kNone);
   }
   return profile;
 }
@@ -112,7 +112,7 @@ double mean_diameter(const results::PowderState& powder, const std::vector<std::
 /// Upper less lower third of the filled grains by height, each the third of them that lies there.
 double top_minus_bottom(const results::PowderState& powder, std::vector<std::size_t> grains) {
   const std::size_t third = grains.size() / 3;
-  if (third < kFewestOfASample) return kNone;
+  if (third < kMinOfASample) return kNone;
   std::sort(grains.begin(), grains.end(), [&](std::size_t a, std::size_t b) {
     const double low = powder.position[a].z(), high = powder.position[b].z();
     return low != high ? low < high : a < b;

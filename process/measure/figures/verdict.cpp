@@ -14,7 +14,7 @@
 namespace diefill::process {
 namespace {
 
-constexpr double kLeastDeficit = 0.02;   // of the mean
+constexpr double kMinDeficit = 0.02;     // of the mean
 constexpr double kStandardErrors = 2;    // beyond which a difference is more than scatter
 constexpr double kLevelAllowance = 0.5;  // grain diameters: a surface of grains is no finer
 
@@ -106,19 +106,19 @@ std::string surface(const results::FillResult& result) {
 
 }  // namespace
 
-std::string loosest_part(const results::FillResult& result, bool& told) {
+std::string loosest_part(const results::FillResult& result, bool& known) {
   const auto counted = counted_grains(result.powder, result.solid_fraction, true);
   const PartMean all = mean_of(result, {"", [](const Eigen::Vector3d&) { return true; }}, counted);
   PartMean loosest;
   double deepest = 0;
-  told = false;
+  known = false;
   for (const auto& parts : {horizontal_parts(result), vertical_parts(result)})
     for (const auto& part : parts) {
       const PartMean found = mean_of(result, part, counted);
-      if (found.grains < kFewestGrains || found.grains == all.grains) continue;
-      told = true;
+      if (found.grains < kMinGrains || found.grains == all.grains) continue;
+      known = true;
       const double deficit = all.mean - found.mean;
-      if (deficit <= deepest || deficit < kLeastDeficit * all.mean || deficit < kStandardErrors * found.error)
+      if (deficit <= deepest || deficit < kMinDeficit * all.mean || deficit < kStandardErrors * found.error)
         continue;
       deepest = deficit;
       loosest = found;
@@ -136,14 +136,14 @@ std::string verdict(const results::FillResult& result) {
   const auto& inside = result.solid_fraction.in_cavity;
   const auto filled = static_cast<std::size_t>(std::count(inside.begin(), inside.end(), 1));
   if (filled == 0) return "empty: no powder in the cavity";
-  bool told = false;
-  const std::string loose = loosest_part(result, told);
+  bool known = false;
+  const std::string loose = loosest_part(result, known);
   std::string text = filling(result);
   if (!loose.empty())
     text += "; loosest " + loose;
   else
     text +=
-        told ? "; no region significantly looser than the rest" : "; too few grains to locate loose regions";
+        known ? "; no region significantly looser than the rest" : "; too few grains to locate loose regions";
   return text + surface(result);
 }
 

@@ -52,12 +52,12 @@ void add_zone_figures(results::FillResult& result, const std::vector<Zone>& zone
     result.figures[zone_mass_figure(zone.name)] = contents.mass;
     if (all > 0) result.figures[zone_share_figure(zone.name)] = contents.mass / all;
     const std::string fraction = zone_solid_fraction_figure(zone.name);
-    if (contents.closed_cells >= kFewestGrains)
+    if (contents.closed_cells >= kMinGrains)
       result.figures[fraction] = contents.solid_volume / contents.cell_volume;
     else
-      results::give_no_value(result, fraction,
-                             too_few_text(contents.closed_cells,
-                                          "below the surface in zone \"" + zone.name + '"', kFewestGrains));
+      results::set_no_value(
+          result, fraction,
+          too_few_text(contents.closed_cells, "below the surface in zone \"" + zone.name + '"', kMinGrains));
   }
 }
 

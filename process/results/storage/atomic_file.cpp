@@ -55,7 +55,7 @@ class TemporaryFile {
   explicit TemporaryFile(const fs::path& target) {
     static std::atomic<unsigned> counter{0};
     for (int attempt = 0; attempt < 1000; ++attempt) {
-      std::string suffix(".");
+      std::string suffix(".diefill-");
       suffix.append(std::to_string(::getpid())).append("-").append(std::to_string(counter++)).append(".tmp");
       path_ = target;
       path_ += suffix;
@@ -94,10 +94,12 @@ void flush_directory(const fs::path& directory) {
   if (handle.valid()) ::fsync(handle.number());
 }
 
-/// The process that a temporary file is of, by its name: `<target>.<process>-<number>.tmp`; nothing for other
-/// files.
+/// The process that a temporary file is of, by its name: `<target>.diefill-<process>-<number>.tmp`, or of
+/// results without that word, as earlier versions called them; nothing for other files, which may be
+/// anyone's.
 std::optional<pid_t> writer_of(const std::string& name) {
-  static const std::regex temporary(R"(.+\.([0-9]{1,9})-[0-9]+\.tmp)");
+  static const std::regex temporary(
+      R"((?:.+\.diefill-|(?:results\.h5|results\.xdmf|report\.json|checkpoint\.bin)\.)([0-9]{1,9})-[0-9]+\.tmp)");
   std::smatch parts;
   if (!std::regex_match(name, parts, temporary)) return std::nullopt;
   return static_cast<pid_t>(std::stol(parts[1]));

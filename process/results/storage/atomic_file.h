@@ -16,8 +16,8 @@ void write_atomically(const std::filesystem::path& target,
 /// Writes `text` to `target` in the same way.
 void write_text_atomically(const std::filesystem::path& target, std::string_view text);
 
-/// Removes temporary files in `directory` that writers of the above have left who are no longer at work, such
-/// as a killed run. To be called by one who has locked the directory.
+/// Removes temporary files in `directory` that writers of the above have left and that are no longer running,
+/// such as a killed run. The caller must have locked the directory.
 void remove_abandoned_files(const std::filesystem::path& directory);
 
 }  // namespace diefill::results

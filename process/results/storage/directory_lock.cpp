@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kLockFile = ".lock";
+constexpr const char* kLockFile = ".diefill-lock";  // a name of its own: it is removed at the end
 
 struct flock whole_file() {
   struct flock lock {};

@@ -16,7 +16,7 @@ struct DirectoryInUse : ResultError {
 };
 
 /// A directory locked for the life of this object, against other processes. The lock (fcntl, which network
-/// mounts support as well) is on the file `.lock` in it, and ends with the process in any case; a file left
+/// mounts support as well) is on the file `.diefill-lock` in it, and ends with the process in any case; a file left
 /// by a killed process has no effect. Reading needs no lock.
 class DirectoryLock {
  public:

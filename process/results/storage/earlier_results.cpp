@@ -13,7 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array kDecisive = {"checkpoint.bin", "results.h5", "report.json"};
-constexpr std::array kFiles = {"results.xdmf", "report.html", "live.html", "snapshots", "paraview"};
+constexpr std::array kFiles = {"results.xdmf", "report.html", "live.html",
+                               "filling.pvd",  "snapshots",   "paraview"};
 constexpr std::array kPictures = {".png", ".pdf", ".mp4"};
 
 template <class Names>
@@ -21,8 +22,9 @@ bool is_one_of(const std::string& name, const Names& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Whether it is of a run: by its name, for a user's scene and tools may lie beside it. Pictures count
-/// however they are called, lest those of old results stand beside new ones.
+/// Whether it is of a run, or in the place of what a run writes: by its name, for a user's scene and tools
+/// may lie beside it. Pictures count however they are called, lest those of old results stand beside new
+/// ones.
 bool belongs_to_run(const fs::directory_entry& entry) {
   const std::string name = entry.path().filename().string();
   if (is_one_of(name, kDecisive) || is_one_of(name, kFiles)) return true;
@@ -41,17 +43,21 @@ fs::path new_folder(const fs::path& directory) {
 
 }  // namespace
 
-bool holds_results(const fs::path& directory) {
-  return std::any_of(kDecisive.begin(), kDecisive.end(),
-                     [&](const char* name) { return fs::exists(directory / name); });
+bool would_be_moved(const fs::path& directory, const fs::path& file) {
+  const fs::path from = fs::weakly_canonical(directory),
+                 way = fs::weakly_canonical(file).lexically_relative(from);
+  if (way == ".") return true;
+  if (way.empty() || *way.begin() == "..") return false;
+  return belongs_to_run(fs::directory_entry(from / *way.begin()));
 }
 
-std::optional<fs::path> set_aside(const fs::path& directory) {
-  if (!holds_results(directory)) return std::nullopt;
+std::optional<fs::path> back_up_results(const fs::path& directory) {
   try {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(directory))
-      if (belongs_to_run(entry)) files.push_back(entry.path());
+    if (fs::is_directory(directory))
+      for (const auto& entry : fs::directory_iterator(directory))
+        if (belongs_to_run(entry)) files.push_back(entry.path());
+    if (files.empty()) return std::nullopt;
     const fs::path folder = new_folder(directory);
     for (const fs::path& file : files) fs::rename(file, folder / file.filename());
     return folder;

@@ -6,12 +6,13 @@
 
 namespace diefill::results {
 
-/// Whether a run has left results or a checkpoint in the directory.
-bool holds_results(const std::filesystem::path& directory);
+/// Whether back_up_results() on `directory` would move `file`: that directory itself, or what a run has left
+/// in it.
+bool would_be_moved(const std::filesystem::path& directory, const std::filesystem::path& file);
 
-/// Moves what runs and pictures of runs have left in `directory` into its folder `previous-1`, or the first
-/// free number; other files stay. Nothing is deleted or replaced. Gives that folder; nothing where the
-/// directory holds no results. Throws ResultError where files cannot be moved.
-std::optional<std::filesystem::path> set_aside(const std::filesystem::path& directory);
+/// Moves what runs and pictures of runs have left in `directory`, and whatever is called so, into its folder
+/// `previous-1`, or the first free number; other files stay. Nothing is deleted or replaced. Gives that
+/// folder; nothing where there is nothing to move. Throws ResultError where files cannot be moved.
+std::optional<std::filesystem::path> back_up_results(const std::filesystem::path& directory);
 
 }  // namespace diefill::results

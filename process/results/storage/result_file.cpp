@@ -4,14 +4,14 @@
 
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/group_names.h"
+#include "process/results/storage/hashed_file.h"
 #include "process/results/storage/hdf5_read.h"
 #include "process/results/storage/hdf5_write.h"
 #include "process/results/storage/result_check.h"
 #include "process/results/storage/schema.h"
-#include "process/results/storage/sealed_file.h"
 #include "process/results/storage/shown_instants.h"
 #include "process/results/storage/sphere_view.h"
-#include "process/results/storage/unsealed_file.h"
+#include "process/results/storage/unhashed_file.h"
 #include "process/results/storage/xdmf.h"
 
 namespace diefill::results {
@@ -114,11 +114,14 @@ std::string earlier_image(const std::filesystem::path& path) {
 }
 
 FillResult read_checked(const std::filesystem::path& path) {
-  if (std::error_code error; !std::filesystem::is_regular_file(path, error))
+  std::error_code error;
+  if (const auto directory = path.parent_path(); std::filesystem::is_regular_file(directory, error))
+    throw ResultError(directory.string() + ": is a file; give the directory that holds the results");
+  if (!std::filesystem::is_regular_file(path, error))
     throw ResultError(path.string() +
                       ": no such results file; run the scene first or give another directory");
-  if (ends_in_seal(path)) {
-    const auto contents = read_sealed(path);
+  if (ends_in_hash(path)) {
+    const auto contents = read_hashed(path);
     if (!contents)
       throw ResultError(path.string() +
                         ": damaged: its contents do not match their hash; run the scene again");
@@ -140,7 +143,7 @@ void write_results(const std::filesystem::path& directory, const FillResult& res
   make_directory(directory);
   const ShownGrid grid = shown_grid(result);
   const auto instants = shown_instants(result, grid);
-  write_text_atomically(directory / kFileName, sealed(file_image(result, instants)));
+  write_text_atomically(directory / kFileName, with_hash(file_image(result, instants)));
   write_text_atomically(directory / "results.xdmf", xdmf_text(result, instants, grid, kFileName));
 }
 

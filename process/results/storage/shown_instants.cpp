@@ -10,7 +10,7 @@ namespace diefill::results {
 namespace {
 
 constexpr double kCellOverDiameter = 1.5;
-constexpr double kMostCells = 1e6;
+constexpr double kMaxCells = 1e6;
 constexpr double kRounding = 1e-9;  // m: a tool that moved less stands where it stood
 
 PowderState powder_at(const PowderState& end, const Instant& instant) {
@@ -97,7 +97,7 @@ ShownGrid shown_grid(const FillResult& result) {
   const Eigen::Vector3d size = result.cavity.upper_corner - result.cavity.lower_corner;
   if (!(size.minCoeff() > 0) || !(result.powder.grain_diameter > 0)) return grid;
   grid.spacing =
-      std::max(kCellOverDiameter * result.powder.largest_diameter(), std::cbrt(size.prod() / kMostCells));
+      std::max(kCellOverDiameter * result.powder.largest_diameter(), std::cbrt(size.prod() / kMaxCells));
   const Eigen::Vector3d cells = (size / grid.spacing).array().ceil();
   for (int axis = 0; axis < 3; ++axis)
     grid.cells[static_cast<std::size_t>(axis)] = static_cast<std::size_t>(cells[axis]);

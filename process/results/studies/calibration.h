@@ -1,5 +1,5 @@
 // A powder found from measurements: parameters with their uncertainty, measured against simulated, what the
-// data cannot tell; and the effects of a screening. As calibration.json and .csv, and for reports.
+// data cannot determine; and the effects of a screening. As calibration.json and .csv, and for reports.
 #pragma once
 
 #include <cstdint>
@@ -64,7 +64,7 @@ struct MeasurementWorth {
   std::vector<double> deviations;  ///< of each parameter, afterwards over now
 };
 
-/// One column of a two-level design: effects that it cannot tell apart.
+/// One column of a two-level design: effects that it cannot separate.
 struct ScreenedEffect {
   std::string string;          ///< such as "AB = CF"
   std::string words;           ///< the same with parameters' names
@@ -99,14 +99,17 @@ struct Calibration {
   std::vector<std::vector<double>> correlation;  ///< of the parameters over the region
   std::vector<std::vector<double>> samples;      ///< some parameters that agree, in their units
   std::vector<Field2D> maps;                     ///< chi^2 over two parameters, all others at their best
-  std::vector<Field2D> residual_maps;            ///< epsilon^2 of curves, the same way
-  std::vector<MeasurementWorth> worth;           ///< what helps most first
-  double chi_square = 0;                         ///< at the best parameters
-  std::size_t data = 0;                          ///< number of fitted values
-  bool agrees = false;                           ///< chi^2 is one that chance explains (1 %)
-  bool fitted = false;                           ///< false: too few runs, or a screening alone
-  std::string stopped;                           ///< why the search ended, in a sentence
-  std::size_t open_runs = 0;                     ///< that are wanted but not finished
+  /// What `maps` have at the edge of the region of two parameters that holds 90 %; NaN: not known. Not
+  /// stored.
+  double map_edge = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Field2D> residual_maps;   ///< epsilon^2 of curves, the same way
+  std::vector<MeasurementWorth> worth;  ///< what helps most first
+  double chi_square = 0;                ///< at the best parameters
+  std::size_t data = 0;                 ///< number of fitted values
+  bool agrees = false;                  ///< chi^2 is one that chance explains (1 %)
+  bool fitted = false;                  ///< false: too few runs, or a screening alone
+  std::string stopped;                  ///< why the search ended, in a sentence
+  std::size_t open_runs = 0;            ///< that are wanted but not finished
   std::vector<std::string> insights, remarks;
   Screening screening;  ///< runs 0: none
 };

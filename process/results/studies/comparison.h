@@ -61,6 +61,7 @@ struct Comparison {
   /// Per variant the solid fraction over angle and height (or in the first section, of cavities that are no
   /// rings), mean over its seeds; without nodes where no run is finished. Not stored.
   std::vector<Field2D> fields;
+  std::vector<std::size_t> field_seeds;  ///< how many seeds each of them is the mean of
 };
 
 /// How the numbers are to be read: what scatter, interval and "none" mean.

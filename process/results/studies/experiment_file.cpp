@@ -69,7 +69,8 @@ std::string csv_of(const ExperimentChart& chart) {
 }  // namespace
 
 void write_experiment(const std::filesystem::path& directory, const ExperimentResult& result) {
-  write_text_atomically(directory / (result.name + ".json"), json_of(result).dump(2) + "\n");
+  write_text_atomically(directory / (result.name + ".json"),
+                        json_of(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   for (const auto& chart : result.charts) write_chart(directory, chart);
 }
 
@@ -90,7 +91,8 @@ void write_limits(const std::filesystem::path& directory, const std::string& nam
       json.push_back(row);
     }
   write_text_atomically(directory / (name + ".csv"), csv);
-  write_text_atomically(directory / (name + ".json"), json.dump(2) + "\n");
+  write_text_atomically(directory / (name + ".json"),
+                        json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace diefill::results

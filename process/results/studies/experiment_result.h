@@ -38,7 +38,7 @@ struct ExperimentChart {
   std::vector<ExperimentSeries> series;
 };
 
-/// A limit that was looked for.
+/// A limit that was determined.
 struct ExperimentLimit {
   std::string name;
   double measured = 0;

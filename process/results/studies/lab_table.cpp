@@ -122,7 +122,8 @@ void write_lab_table(const std::filesystem::path& directory, const LabTable& tab
                {"core_seconds", json_number(table.core_seconds)}};
   json["rows"] = Json::array();
   for (const LabRow& row : table.rows) json["rows"].push_back(json_of(row));
-  write_text_atomically(directory / (table.experiment + ".json"), json.dump(2) + "\n");
+  write_text_atomically(directory / (table.experiment + ".json"),
+                        json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   write_text_atomically(directory / (table.experiment + ".csv"), csv_of(table));
 }
 

@@ -16,7 +16,7 @@ std::vector<std::string> margin_warnings(const results::FillResult& result) {
   if (lost > limits.comfortable_energy_error && lost <= limits.energy_error) {
     char text[200];
     std::snprintf(text, sizeof text,
-                  "energy balance: %.1f %% of the energy turned over was lost without explanation; up to "
+                  "energy balance: %.1f %% of the energy exchanged was lost without explanation; up to "
                   "+-%.1f %% is acceptable",
                   100 * lost, 100 * limits.comfortable_energy_error);
     lines.emplace_back(text);

@@ -34,9 +34,9 @@ void measure_cavities(results::FillResult& result, const Scene& scene, const Too
   const PowderBed bed = powder_bed(result, all);
   add_powder_figures(result, scene, bed);
   const std::size_t deep = counted_grains(result.powder, result.solid_fraction, false).size();
-  if (deep < kFewestGrains)
-    results::give_no_value(result, "bulk_solid_fraction",
-                           too_few_text(deep, "two diameters below the surface", kFewestGrains));
+  if (deep < kMinGrains)
+    results::set_no_value(result, "bulk_solid_fraction",
+                          too_few_text(deep, "two diameters below the surface", kMinGrains));
   measure_cavity(result, scene, bed, sections);
   add_other_cavities(result, tooling.other_cavities,
                      [&](results::FillResult& other) { measure_cavity(other, scene, bed, {}); });

@@ -78,7 +78,7 @@ toml::array layers_of(const std::string& fine, const std::string& coarse, double
 
 }  // namespace
 
-void put_graded_pour(toml::table& document, const std::filesystem::path& file) {
+void apply_graded_pour(toml::table& document, const std::filesystem::path& file) {
   toml::table* own = document["pour"].as_table();
   toml::table* powder = document["powder"].as_table();
   if (own == nullptr || powder == nullptr || !own->contains("graded")) return;
@@ -87,7 +87,7 @@ void put_graded_pour(toml::table& document, const std::filesystem::path& file) {
   const Graded graded = read_graded(pour);
   const double height = height_of(pour, document.contains("setting"));
   if (graded.depth >= height)
-    pour.reject("graded", "depth must be less than all powder, " + metres(height) +
+    pour.reject("graded", "depth must be less than all powder, " + number_text(1e3 * height) + " mm" +
                               "; without a layer above there are no larger grains");
   TableReader powder_reader(*powder, file, "powder");
   read_coarse_graining(powder_reader);

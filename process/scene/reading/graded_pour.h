@@ -11,6 +11,6 @@ namespace diefill::process {
 /// Where [pour] of the document has `graded`, puts a powder of larger grains ([[other_powder]]) and two
 /// layers in its place, fine grains below. Throws SceneError for wrong values, and beside other powders,
 /// layers, several sizes and grains that are placed already.
-void put_graded_pour(toml::table& document, const std::filesystem::path& file);
+void apply_graded_pour(toml::table& document, const std::filesystem::path& file);
 
 }  // namespace diefill::process

@@ -11,7 +11,7 @@
 namespace diefill::process {
 namespace {
 
-constexpr double kMostOverlap = 0.5;  // of the smaller radius
+constexpr double kMaxOverlap = 0.5;  // of the smaller radius
 
 using Cell = std::array<std::int64_t, 3>;
 
@@ -56,7 +56,7 @@ class Level {
   }
   static bool are_in_each_other(const engine::ClumpSphere& a, const engine::ClumpSphere& b) {
     const double overlap = a.radius + b.radius - (a.centre - b.centre).norm();
-    return overlap > kMostOverlap * std::min(a.radius, b.radius);
+    return overlap > kMaxOverlap * std::min(a.radius, b.radius);
   }
 
   double width_;

@@ -11,7 +11,7 @@ using engine::ClumpSphere;
 constexpr QuantityRule kPlace = {Dimension::length, "0.1 mm", "-100 mm", "100 mm"};
 constexpr QuantityRule kRadius = {Dimension::length, "0.1 mm", "0 mm", "10 mm", true};
 /// Of one grain: its laws and places are computed for each.
-constexpr std::size_t kMostSpheres = 64;
+constexpr std::size_t kMaxSpheres = 64;
 constexpr SphereLimits kOfClump = {0.1, 0.01, 1U << 20U};
 
 std::vector<ClumpSphere> spheres_in_scene(TableReader& table) {
@@ -40,9 +40,9 @@ void read_clump(TableReader& table, PowderSpec& powder, double density) {
       table.reject(other, "powder." + key + " gives the shape of the grain; remove the key");
   const auto spheres =
       in_scene ? spheres_in_scene(table) : read_sphere_file(table, "spheres_file", kOfClump).spheres;
-  if (spheres.empty() || spheres.size() > kMostSpheres)
+  if (spheres.empty() || spheres.size() > kMaxSpheres)
     table.reject(key,
-                 std::to_string(spheres.size()) + " spheres, allowed: 1 to " + std::to_string(kMostSpheres));
+                 std::to_string(spheres.size()) + " spheres, allowed: 1 to " + std::to_string(kMaxSpheres));
   constexpr double kUnit = 1;  // kg/m^3
   const double volume = engine::grain_of_union(spheres, kUnit).solid_volume;
   const auto shape = engine::grain_of_union(spheres, density > 0 ? density : powder.grain_mass / volume);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "process/measure/figures/heap_slope.h"
 #include "process/scene/reading/sections.h"
 #include "process/scene/zones.h"
 
@@ -42,6 +43,15 @@ void refuse_same_name(TableReader& table, const std::vector<Spec>& earlier, cons
                              " a unique name");
 }
 
+/// Figures keep letters and digits of a name alone: those of two heaps must not be one.
+void refuse_same_figure(TableReader& table, const std::vector<HeapSpec>& earlier, const HeapSpec& heap) {
+  for (const HeapSpec& other : earlier)
+    if (heap_figure(other.name) == heap_figure(heap.name))
+      table.reject("name", "an earlier heap, \"" + other.name + "\", has the same figure, " +
+                               heap_figure(heap.name) +
+                               "; give names that differ in a letter from a to z or a digit");
+}
+
 }  // namespace
 
 MeasureSpec read_measure(TableReader table) {
@@ -61,6 +71,7 @@ MeasureSpec read_measure(TableReader table) {
   for (TableReader& heap_table : table.tables("heap")) {
     HeapSpec heap = read_heap(heap_table);
     refuse_same_name(heap_table, measure.heaps, heap, "heap");
+    refuse_same_figure(heap_table, measure.heaps, heap);
     measure.heaps.push_back(std::move(heap));
   }
   read_zones(table);

@@ -6,7 +6,7 @@ namespace {
 
 constexpr NumberRule kTimeStepFraction = {0, 1, true, "0.1"};
 constexpr QuantityRule kTimeStep = {Dimension::time, "2 us", "0 us", "1 ms", true};
-constexpr NumberRule kMostSheared = {0, 0.1, false, "0.01"};
+constexpr NumberRule kMaxSheared = {0, 0.1, false, "0.01"};
 constexpr QuantityRule kPeriod = {Dimension::length, "2.16 mm", "0 mm", "1 m", true};
 constexpr QuantityRule kSkin = {Dimension::length, "0.1 mm", "0 mm", "10 mm", true};
 constexpr QuantityRule kMaxTime = {Dimension::time, "5 s", "0 s", "10000 s", true};
@@ -24,7 +24,7 @@ void read_pinched_grains(TableReader& table, NumericsSpec& numerics) {
   static const Choices<PinchedGrains> choices = {{"shear off", PinchedGrains::shear_off},
                                                  {"stop", PinchedGrains::stop}};
   numerics.pinched_grains = table.choice("pinched_grains", choices).value_or(numerics.pinched_grains);
-  numerics.most_sheared = table.number("most_sheared", kMostSheared).value_or(numerics.most_sheared);
+  numerics.most_sheared = table.number("most_sheared", kMaxSheared).value_or(numerics.most_sheared);
   if (numerics.pinched_grains == PinchedGrains::stop && table.has("most_sheared"))
     table.reject("most_sheared", "pinched_grains = \"stop\" shears no grains off; remove one of the two");
 }

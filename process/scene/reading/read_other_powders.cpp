@@ -16,7 +16,7 @@ constexpr NumberRule kShare = {0, 1, true, "0.02"};
 constexpr NumberRule kFriction = {0, 10, false, "0.3"};
 constexpr QuantityRule kAdhesion = {Dimension::work_of_adhesion, "0.01 J/m^2", "0 J/m^2", "10 J/m^2"};
 /// Types of grains have numbers of one byte in results.
-constexpr std::size_t kMostTypes = 255;
+constexpr std::size_t kMaxTypes = 255;
 
 std::string names_of(const Scene& scene) {
   std::string names;
@@ -153,9 +153,9 @@ void read_other_powders(TableReader& document, Scene& scene) {
   if (tables.empty()) return;
   std::size_t types = grain_diameters(scene.powder).size();
   for (const auto& other : scene.other_powders) types += grain_diameters(other.powder).size();
-  if (types > kMostTypes)
+  if (types > kMaxTypes)
     tables.back().reject("name", "the powders have " + std::to_string(types) +
-                                     " grain sizes together, allowed: " + std::to_string(kMostTypes));
+                                     " grain sizes together, allowed: " + std::to_string(kMaxTypes));
   add_pairs(scene);
   std::vector<std::size_t> named;
   for (TableReader& table : pairs) {

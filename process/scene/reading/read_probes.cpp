@@ -2,6 +2,7 @@
 
 #include "process/input/scene_error.h"
 #include "process/scene/reading/sections.h"
+#include "process/scene/snapshot_folder.h"
 
 namespace diefill::process {
 namespace {
@@ -32,6 +33,16 @@ void refuse_unknown_step(const Condition& condition, const Scene& scene) {
       throw SceneError(condition.where + ": found \"" + *name +
                        "\", but no step has this name; add name = \"" + *name + '"');
   }
+}
+
+/// Two snapshots in one folder: the later one would replace the earlier.
+void refuse_same_folder(TableReader& table, const std::vector<SnapshotSpec>& earlier,
+                        const SnapshotSpec& snapshot) {
+  for (const SnapshotSpec& other : earlier)
+    if (have_same_folder(other, snapshot))
+      table.reject("name", "an earlier snapshot, \"" + other.name +
+                               "\", is kept in the same folder; give names that differ in a letter from a to "
+                               "z or a digit");
 }
 
 }  // namespace
@@ -71,6 +82,7 @@ std::vector<SnapshotSpec> read_snapshots(TableReader& document, const Scene& sce
     snapshot.when = read_condition(table, "when", tools);
     if (snapshot.when) refuse_unknown_step(*snapshot.when, scene);
     snapshot.every = table.quantity("every", kInterval);
+    refuse_same_folder(table, snapshots, snapshot);
     table.finish();
     snapshots.push_back(snapshot);
   }

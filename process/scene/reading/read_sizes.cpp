@@ -18,7 +18,7 @@ constexpr QuantityRule kDiameter = {Dimension::length, "1.5 mm", "0 mm", "100 mm
 constexpr QuantityRule kDeviation = {Dimension::length, "0.3 mm", "0 mm", "100 mm", true};
 constexpr NumberRule kShare = {0, 1e9, true, "0.3"};
 constexpr NumberRule kLogDeviation = {0, 2, true, "0.2"};
-constexpr std::int64_t kMostClasses = 32;
+constexpr std::int64_t kMaxClasses = 32;
 constexpr std::size_t kUsualClasses = 8;
 /// Largest over smallest grain. Pairs of unequal spheres are tested up to 100
 /// (tests/engine/limits/size_ratio_test.cpp); beds of log-normal sizes need 40 (Hu 2024, section 6.3).
@@ -59,9 +59,9 @@ std::vector<engine::SizeClass> read_class_list(TableReader& table) {
       entry.reject("diameter", "another class has this diameter; merge the two and add their shares");
     classes.push_back({diameter, share});
   }
-  if (classes.empty() || classes.size() > static_cast<std::size_t>(kMostClasses))
+  if (classes.empty() || classes.size() > static_cast<std::size_t>(kMaxClasses))
     table.reject("classes",
-                 std::to_string(classes.size()) + " classes, allowed: 1 to " + std::to_string(kMostClasses));
+                 std::to_string(classes.size()) + " classes, allowed: 1 to " + std::to_string(kMaxClasses));
   return classes;
 }
 
@@ -105,10 +105,10 @@ SizeDistribution read_log_normal(TableReader& table) {
 std::vector<engine::CutClass> cut_into_classes(TableReader& table, Shape shape) {
   const SizeDistribution distribution =
       shape == Shape::classes ? read_classes(table) : read_log_normal(table);
-  std::size_t count = static_cast<std::size_t>(kMostClasses);
+  std::size_t count = static_cast<std::size_t>(kMaxClasses);
   if (shape == Shape::log_normal)
     count =
-        static_cast<std::size_t>(table.integer("number_of_classes", 2, kMostClasses).value_or(kUsualClasses));
+        static_cast<std::size_t>(table.integer("number_of_classes", 2, kMaxClasses).value_or(kUsualClasses));
   table.finish();
   return engine::size_classes(distribution, count);
 }

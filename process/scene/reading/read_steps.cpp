@@ -11,6 +11,8 @@ namespace diefill::process {
 namespace {
 
 using Steps = std::vector<std::shared_ptr<const Step>>;
+/// What must have happened before the start (2 k) or the end (2 k + 1) of step k can.
+using Needs = std::vector<std::vector<std::size_t>>;
 
 StepPlan read_plan(TableReader& table, const std::vector<std::string>& tools) {
   StepPlan plan;
@@ -34,13 +36,18 @@ std::size_t step_named(const Steps& steps, const std::string& name, const Condit
       (names.empty() ? "no step has a name; add name = \"" + name + '"' : "the named steps are " + names));
 }
 
-/// What must have happened before the start (2 k) or the end (2 k + 1) of step k can.
-std::vector<std::vector<std::size_t>> needs_of(const Steps& steps) {
-  std::vector<std::vector<std::size_t>> needs(2 * steps.size());
+/// What a condition waits for.
+std::vector<std::size_t> events_of(const Steps& steps, const Condition& condition) {
+  std::vector<std::size_t> events;
+  if (!condition.after.empty()) events.push_back(2 * step_named(steps, condition.after, condition) + 1);
+  if (!condition.with.empty()) events.push_back(2 * step_named(steps, condition.with, condition));
+  return events;
+}
+
+Needs needs_of(const Steps& steps) {
+  Needs needs(2 * steps.size());
   const auto add = [&](std::size_t event, const Condition& condition) {
-    if (!condition.after.empty())
-      needs[event].push_back(2 * step_named(steps, condition.after, condition) + 1);
-    if (!condition.with.empty()) needs[event].push_back(2 * step_named(steps, condition.with, condition));
+    for (const std::size_t need : events_of(steps, condition)) needs[event].push_back(need);
   };
   for (std::size_t k = 0; k < steps.size(); ++k) {
     const StepPlan& plan = steps[k]->plan;
@@ -57,8 +64,7 @@ std::vector<std::vector<std::size_t>> needs_of(const Steps& steps) {
   return needs;
 }
 
-void refuse_steps_that_wait_for_themselves(const Steps& steps) {
-  const auto needs = needs_of(steps);
+void refuse_steps_that_wait_for_themselves(const Steps& steps, const Needs& needs) {
   enum class Seen : char { no, on_the_way, yes };
   std::vector<Seen> seen(needs.size(), Seen::no);
   const std::function<void(std::size_t)> follow = [&](std::size_t event) {
@@ -74,6 +80,37 @@ void refuse_steps_that_wait_for_themselves(const Steps& steps) {
   for (std::size_t event = 0; event < needs.size(); ++event) follow(event);
 }
 
+/// Whether `event` can only come once `earlier` has; `needs` has no circle.
+bool comes_after(const Needs& needs, std::size_t event, std::size_t earlier) {
+  std::vector<std::size_t> open = {event};
+  std::vector<bool> seen(needs.size(), false);
+  while (!open.empty()) {
+    const std::size_t next = open.back();
+    open.pop_back();
+    if (next == earlier) return true;
+    if (seen[next]) continue;
+    seen[next] = true;
+    open.insert(open.end(), needs[next].begin(), needs[next].end());
+  }
+  return false;
+}
+
+/// A step that ends by itself, and whose `until` can only be met once it has ended.
+void refuse_until_without_effect(const Steps& steps, const Needs& needs) {
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const auto& until = steps[k]->plan.until;
+    if (!until) continue;
+    for (const std::size_t event : events_of(steps, *until)) {
+      if (!comes_after(needs, event, 2 * k + 1)) continue;
+      const std::string& named = steps[event / 2]->plan.name;
+      throw SceneError(
+          until->where + ": found \"" + named + "\", " +
+          (event / 2 == k ? "which is this step itself" : "which waits for the end of this step") +
+          ", so the condition never ends it; name a step that is not after it, or remove until");
+    }
+  }
+}
+
 void refuse_same_names(const Steps& steps, TableReader& table) {
   const std::string& name = steps.back()->plan.name;
   if (name.empty()) return;
@@ -83,7 +120,7 @@ void refuse_same_names(const Steps& steps, TableReader& table) {
 }
 
 /// Without an end of its own a step that only waits lasts until the powder rests; any other needs one.
-void refuse_endless(const Step& step, TableReader& table) {
+void refuse_excessive_work(const Step& step, TableReader& table) {
   if (!step.open_ended() || step.plan.until) return;
   if (step.tools().empty() && step.inflow() == nullptr) return;
   const std::string own = step.inflow() != nullptr ? "mass = \"5 g\"" : "duration = \"1 s\"";
@@ -113,10 +150,12 @@ std::vector<std::shared_ptr<const Step>> read_steps(TableReader& document,
     steps.push_back(step);
     table.finish();
     refuse_same_names(steps, table);
-    refuse_endless(*steps.back(), table);
+    refuse_excessive_work(*steps.back(), table);
     refuse_late_settling(steps, table);
   }
-  refuse_steps_that_wait_for_themselves(steps);
+  const Needs needs = needs_of(steps);
+  refuse_steps_that_wait_for_themselves(steps, needs);
+  refuse_until_without_effect(steps, needs);
   refuse_driven_free_tools(steps);
   return steps;
 }

@@ -14,7 +14,7 @@ namespace diefill::process {
 /// that of the whole document.
 Scene scene_of(toml::table& parsed, const std::string& text, const std::filesystem::path& file);
 
-/// `coarse_graining` of [powder]; to be read before the rest, which rejects keys that nobody asked for.
+/// `coarse_graining` of [powder]; to be read before the rest, which rejects keys that were not requested.
 CoarseGraining read_coarse_graining(TableReader& table);
 /// The rest of [powder]: a preset, a preset with overrides, or a powder of its own.
 PowderSpec read_powder(TableReader& table);

@@ -5,8 +5,25 @@ namespace {
 
 const std::vector<std::string> kModels = {"A", "B", "C", "D"};
 
-std::string current(const Scene& scene) {
-  return kModels[static_cast<std::size_t>(scene.powder.model)];
+/// A clump of the scene's own is none of the models: there is nothing to compare them with.
+bool has_clump(const Scene& scene) {
+  return scene.powder.model == GrainModel::clump;
+}
+
+std::string current_model(const Scene& scene) {
+  return has_clump(scene) ? "clump" : kModels.at(static_cast<std::size_t>(scene.powder.model));
+}
+
+std::vector<std::string> usual_models(const Scene& scene) {
+  return has_clump(scene) ? std::vector<std::string>{} : kModels;
+}
+
+SceneChanges changed_model(const Scene& scene, const std::string& value) {
+  if (has_clump(scene))
+    throw SceneError(
+        "the grains of this scene are a clump of its own (powder.spheres or spheres_file), which no grain "
+        "model replaces; leave out this knob");
+  return sets_key("powder.model")(scene, value);
 }
 
 }  // namespace
@@ -17,9 +34,9 @@ Knob grain_model_knob() {
           .sign = "model",
           .finer = Finer::as_listed,
           .words = kModels,
-          .current = current,
-          .usual = [](const Scene&) { return kModels; },
-          .changes = sets_key("powder.model")};
+          .current = current_model,
+          .usual = usual_models,
+          .changes = changed_model};
 }
 
 }  // namespace diefill::process

@@ -97,13 +97,14 @@ QJsonObject cavities_of(const results::FillResult& result) {
 std::string remark_of(const ShownGrains& shown, std::size_t kept, std::size_t packed,
                       const QJsonArray& tools) {
   std::string remark = shown.remark;
-  const auto say = [&](const std::string& words) { remark += (remark.empty() ? "" : " ") + words; };
+  const auto add_remark = [&](const std::string& words) { remark += (remark.empty() ? "" : " ") + words; };
   if (packed < kept)
-    say(std::to_string(packed) + " of " + std::to_string(kept) + " kept instants are shown.");
+    add_remark(std::to_string(packed) + " of " + std::to_string(kept) + " kept instants are shown.");
   for (const QJsonValue tool : tools) {
     const QJsonObject entry = tool.toObject();
     if (!entry["shown"].toBool())
-      say("Tool \"" + entry["name"].toString().toStdString() + "\" has no mesh of a size that can be shown.");
+      add_remark("Tool \"" + entry["name"].toString().toStdString() +
+                 "\" has no mesh of a size that can be shown.");
   }
   return remark;
 }

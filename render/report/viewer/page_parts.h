@@ -1,5 +1,5 @@
-// What a page with interactive views holds besides their data: scripts, style, and who may run. Scripts and
-// style are files of viewer/page/ and three.js, built into the program.
+// What a page with interactive views holds besides their data: scripts, style, and which scripts may run.
+// Scripts and style are files of viewer/page/ and three.js, built into the program.
 #pragma once
 
 #include <string>

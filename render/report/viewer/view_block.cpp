@@ -47,7 +47,7 @@ Figure still_of(const ViewedRun& run, const ColourRange& range) {
 }  // namespace
 
 View3D view_of(const std::vector<ViewedRun>& runs, const ColourRange& range, std::size_t most_bytes) {
-  const std::size_t shown = std::min(runs.size(), kMostViewedRuns);
+  const std::size_t shown = std::min(runs.size(), kMaxViewedRuns);
   View3D view;
   QJsonArray list;
   for (std::size_t n = 0; n < shown; ++n) {

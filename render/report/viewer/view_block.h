@@ -10,12 +10,12 @@
 namespace diefill::render::report {
 
 /// Most that the data of one view take in a page, and most runs side by side.
-inline constexpr std::size_t kMostViewBytes = 18'000'000, kMostViewedRuns = 4;
+inline constexpr std::size_t kMaxViewBytes = 18'000'000, kMaxViewedRuns = 4;
 
 /// The view of the runs, and their still pictures for readers without it. `range`: of the solid fraction.
 /// Where the data would exceed `most_bytes`, every other instant is left out until they do not. Of more than
-/// kMostViewedRuns runs the first are shown, and a remark says so.
+/// kMaxViewedRuns runs the first are shown, and a remark says so.
 View3D view_of(const std::vector<ViewedRun>& runs, const ColourRange& range,
-               std::size_t most_bytes = kMostViewBytes);
+               std::size_t most_bytes = kMaxViewBytes);
 
 }  // namespace diefill::render::report

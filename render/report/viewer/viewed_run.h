@@ -1,5 +1,5 @@
 // What the interactive view shows of one run besides its result: the density field on a grid, and solid
-// fractions at earlier instants. Measured by whoever may measure; the view draws.
+// fractions at earlier instants. Measured elsewhere; the view draws.
 #pragma once
 
 #include <Eigen/Core>

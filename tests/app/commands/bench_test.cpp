@@ -59,12 +59,12 @@ TEST(Bench, RacesThreadsAgainstCopies) {
   alone.insert(alone.end(), {"--threads", "1", "--repeats", "2", "--json"});
   const Outcome outcome = run_program(alone);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const auto race = nlohmann::json::parse(outcome.out);
-  ASSERT_EQ(race["repeats"].size(), 2U);
-  for (const auto& repeat : race["repeats"])
+  const auto benchmark = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(benchmark["repeats"].size(), 2U);
+  for (const auto& repeat : benchmark["repeats"])
     EXPECT_DOUBLE_EQ(repeat["ratio"].get<double>(),
                      repeat["threads"].get<double>() / repeat["copies"].get<double>());
-  EXPECT_EQ(race["predicted"][1]["threads"], 64);
+  EXPECT_EQ(benchmark["predicted"][1]["threads"], 64);
 
   auto too_many = words;
   too_many.insert(too_many.end(), {"--threads", "1024"});

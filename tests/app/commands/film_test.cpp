@@ -86,9 +86,8 @@ TEST_F(Filmed, EndsWithItsWorkersAndLeavesNoFrames) {
     SCOPED_TRACE(signal);
     Program program(arguments({"--turntable"}));
     const auto until = [](auto reached) {
-      constexpr int kMost = 6000;
-      for (int n = 0; n < kMost && !reached(); ++n)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      constexpr int kMax = 6000;
+      for (int n = 0; n < kMax && !reached(); ++n) std::this_thread::sleep_for(std::chrono::milliseconds(10));
       return reached();
     };
     ASSERT_TRUE(until([&] { return programs_with(film) == 3; }));

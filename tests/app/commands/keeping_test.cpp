@@ -46,14 +46,14 @@ class Keeping : public testing::Test {
 
 TEST_F(Keeping, ASecondRunIntoADirectoryIsRefusedInOneLineAndTouchesNothing) {
   Program first(die_.run_arguments({"--quiet"}));
-  wait_for(first, die_.out() / ".lock");
+  wait_for(first, die_.out() / ".diefill-lock");
   const Outcome second = die_.run({"--quiet"});
   EXPECT_EQ(second.exit_code, 2);
   EXPECT_EQ(second.complaints(), 1U) << second.err;
   EXPECT_NE(second.err.find(die_.out().string() + ": locked, another run"), std::string::npos) << second.err;
   const Outcome outcome = first.wait();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_FALSE(fs::exists(die_.out() / ".lock"));
+  EXPECT_FALSE(fs::exists(die_.out() / ".diefill-lock"));
   EXPECT_FALSE(fs::exists(die_.out() / "previous-1"));
 }
 
@@ -93,6 +93,21 @@ TEST_F(Keeping, AFinishedRunSaysSoWhenItIsToGoOn) {
   EXPECT_EQ(other.complaints(), 1U) << other.err;
   EXPECT_NE(other.err.find("a different scene"), std::string::npos) << other.err;
   EXPECT_EQ(contents(die_.out() / "report.json"), before);
+}
+
+TEST_F(Keeping, AFinishedRunOfOtherContentsOfATableIsRefused) {
+  die_.exchange("kind = \"passage\"\ntool = \"shoe\"\ndirection = \"-x\"\nvelocity = \"0.2 m/s\"\n",
+                "kind = \"table\"\ntool = \"shoe\"\nfile = \"m.csv\"\n");
+  die_.write("m.csv", "time s,x mm\n0,0\n0.05,-8\n");
+  ASSERT_EQ(die_.run({"--quiet", "--no-pictures"}).exit_code, 0);
+  const Outcome again = die_.run({"--quiet", "--resume"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_NE(again.out.find("nothing was computed"), std::string::npos) << again.out;
+  die_.write("m.csv", "time s,x mm\n0,0\n0.04,-8\n");
+  const Outcome other = die_.run({"--quiet", "--resume"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_EQ(other.complaints(), 1U) << other.err;
+  EXPECT_NE(other.err.find("the contents of m.csv have changed"), std::string::npos) << other.err;
 }
 
 TEST_F(Keeping, WhereTheTimeIsOverResultsStandAndALargerTimeGoesOn) {

@@ -41,6 +41,17 @@ TEST(Lab, AnUnknownExperimentEndsInOneLineWithTheNearest) {
   EXPECT_NE(outcome.err.find("did you mean \"rotation\"?"), std::string::npos) << outcome.err;
 }
 
+TEST(Lab, ThePathOfAPowderMayHoldQuotesAndBackslashes) {
+  for (const std::string name : {"a\"b.toml", "a\\tb.toml"}) {
+    const support::TemporaryFolder folder;
+    const std::string powder = folder.write(name, "[powder]\npreset = \"ASC100.29 D2\"\n").string();
+    const Outcome outcome = run_program({"lab", "mean_fractions", "--powder", powder, "--out",
+                                         (folder.path() / "out").string(), "--collect", "--quiet"});
+    EXPECT_EQ(outcome.err.find("TOML"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("control characters"), std::string::npos) << outcome.err;
+  }
+}
+
 TEST(Lab, TheListNamesExperimentsWithScenesAndFamilies) {
   const Outcome outcome = run_program({"lab", "--list"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

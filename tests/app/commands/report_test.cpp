@@ -122,6 +122,23 @@ TEST(Report, TakesTheRunsOfAComparisonByTheirVariants) {
   EXPECT_EQ(cell(page, "again"), "1");
 }
 
+TEST(Report, ACopyOfResultsIsNoSecondSeed) {
+  const SmallDie die;
+  ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
+  const auto copy = die.folder() / "copy of out";
+  std::filesystem::copy(die.out(), copy, std::filesystem::copy_options::recursive);
+  for (const char* command : {"report", "map"}) {
+    std::vector<std::string> arguments = {command, die.out().string(), copy.string()};
+    if (arguments[0] == "map") arguments.insert(arguments.end(), {"--picture", "difference"});
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << command;
+    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+    for (const auto& directory : {die.out(), copy})
+      EXPECT_NE(outcome.err.find('"' + directory.string() + '"'), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("give each run once"), std::string::npos) << outcome.err;
+  }
+}
+
 void expect_refused(const std::vector<std::string>& arguments, const std::string& words) {
   const Outcome outcome = run_program(arguments);
   EXPECT_EQ(outcome.exit_code, 2) << words;

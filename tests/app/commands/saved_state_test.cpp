@@ -1,6 +1,7 @@
 // Powder that begins as another run left it: pour.state and pour.state_below.
 #include <gtest/gtest.h>
 
+#include "process/results/storage/result_file.h"
 #include "tests/app/small_die.h"
 
 namespace diefill::app {
@@ -86,6 +87,29 @@ TEST(SavedState, OfAnotherFileIsAnotherComputation) {
   die.exchange("checkpoint_interval = \"1 s\"\n", "checkpoint_interval = \"1 s\"\nmax_time = \"5 s\"\n");
   const Outcome outcome = die.run({"--quiet", "--resume"});
   EXPECT_NE(outcome.exit_code, 0) << "went on from a checkpoint of other powder";
+}
+
+TEST(SavedState, ThatTheRunWouldMoveAwayIsRefusedAndStays) {
+  const SmallDie die;
+  settle_and_go_on(die, "state = \"settled\"");
+  const std::string before = contents(die.folder() / "settled/results.h5"),
+                    settled = (die.folder() / "settled").string();
+  const Outcome outcome = run_program({"run", die.scene().string(), "--out", settled, "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  for (const char* part : {"scene.toml:", "pour.state: found", "choose another directory with --out"})
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+  EXPECT_TRUE(contents(die.folder() / "settled/results.h5") == before);
+  EXPECT_FALSE(std::filesystem::exists(die.folder() / "settled/previous-1"));
+}
+
+TEST(SavedState, WithoutVelocitiesIsRefused) {
+  const SmallDie die;
+  settle_and_go_on(die, "state = \"settled\"");
+  auto result = results::read_results(die.folder() / "settled");
+  result.powder.velocity.clear();
+  results::write_results(die.folder() / "settled", result);
+  expect_refused(die, {"scene.toml:", "pour.state", "no /powder/velocity"});
 }
 
 TEST(SavedState, ThatIsMissingIsNamed) {

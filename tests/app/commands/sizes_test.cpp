@@ -62,8 +62,8 @@ TEST(Sizes, RunMeasureAndDraw) {
   }
   EXPECT_EQ(SmallDie::files_in(die.folder() / "maps"),
             (std::vector<std::string>{"size_section.png", "view.png"}));
-  const Outcome told = run_program({"info", die.out().string()});
-  EXPECT_EQ(told.exit_code, 0) << told.err;
+  const Outcome reported = run_program({"info", die.out().string()});
+  EXPECT_EQ(reported.exit_code, 0) << reported.err;
 
   SmallDie other;
   give_sizes(other);

@@ -63,6 +63,30 @@ TEST_F(WrongPictures, ReportOverwritesNothingThatItReads) {
   EXPECT_EQ(support::contents(one() / "results.h5"), before);
 }
 
+TEST_F(WrongPictures, NoDirectoryIsLeftWhereNothingCanBeDrawn) {
+  const fs::path above = one().parent_path() / "drawn", out = above / "deep";
+  const std::vector<std::vector<std::string>> wrong = {
+      {"--picture", "difference", "--from", "9 s"},
+      {"--picture", "section", "--origin", "0 mm", "0 mm", "40 mm"},
+      {"--picture", "probe", "--y", "piston/F_z"}};
+  for (const auto& arguments : wrong) {
+    SCOPED_TRACE(arguments[1]);
+    std::vector<std::string> command = {"map", one().string(), "--out", out.string()};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    EXPECT_EQ(run_program(command).exit_code, 2);
+    EXPECT_FALSE(fs::exists(above));
+  }
+  // One that was there stays, and so does what is drawn.
+  fs::create_directories(above);
+  EXPECT_EQ(run_program(
+                {"map", one().string(), "--out", above.string(), "--picture", "difference", "--from", "9 s"})
+                .exit_code,
+            2);
+  EXPECT_TRUE(fs::is_directory(above));
+  EXPECT_EQ(run_program({"map", one().string(), "--out", out.string(), "--picture", "section"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(out / "section.png"));
+}
+
 TEST_F(WrongPictures, WrongWordsAreExplainedInOneLine) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
       {{"--picture", "hystogram"}, "did you mean \"histogram\"?"},

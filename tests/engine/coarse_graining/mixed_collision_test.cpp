@@ -22,13 +22,13 @@ GrainMix pair_of(double ratio, const laws::LawParameters& between) {
   return mix_of({1, ratio}, other, between, other);
 }
 
-struct Encounter {
+struct PairCollision {
   double deepest = 0;               ///< m
   Eigen::Vector3d velocity, other;  ///< m/s, of both once they are apart
 };
 
 /// A still sphere of kind 0 at the origin is hit by one of kind 1 that comes along -x with `speed` (m/s).
-Encounter hit(const GrainMix& mix, double speed, double time_step) {
+PairCollision hit(const GrainMix& mix, double speed, double time_step) {
   Simulation simulation(settings_of(mix, time_step), {});
   std::vector<NewGrain> grains(2);
   grains[1].kind = 1;
@@ -87,8 +87,8 @@ TEST_P(UnequalSpheres, PullOffForceIsThatOfTheWorkOfAdhesionOfBothMaterials) {
     double lowest = 0;
     for (double overlap = 1e-9; overlap < 0.1 * radius; overlap *= 1.0005) {
       double history[laws::GeneralContactLaw::kHistory + 1] = {};
-      const laws::ContactState still = {.overlap = overlap, .normal = {1, 0, 0}, .time_step = 1e-9};
-      lowest = std::min(lowest, law.react(still, history).force.x);
+      const laws::ContactState static_normal = {.overlap = overlap, .normal = {1, 0, 0}, .time_step = 1e-9};
+      lowest = std::min(lowest, law.react(static_normal, history).force.x);
     }
     EXPECT_NEAR(lowest, -1.5 * std::numbers::pi * kWork * radius, 1e-5 * -lowest);
   }

@@ -39,7 +39,7 @@ inline double integral(const std::function<double(double)>& f, double a, double 
 }
 
 /// What came of two spheres shot at each other head-on.
-struct Encounter {
+struct PairCollision {
   double restitution = 0;  ///< separation over approach speed at the end of the contact
   double duration = 0;     ///< s
   double deepest = 0;      ///< m
@@ -47,8 +47,8 @@ struct Encounter {
 };
 
 /// Head-on collision at relative `speed` in m/s in steps of `time_step` in s, by the slow reference.
-inline Encounter collide(const LawParameters& parameters, const PairProperties& pair, double speed,
-                         double time_step, int limit = 200000) {
+inline PairCollision collide(const LawParameters& parameters, const PairProperties& pair, double speed,
+                             double time_step, int limit = 200000) {
   reference::AllPairs<GeneralLaw> pairs({.time_step = time_step},
                                         [&](const PairProperties& of) { return make_law(parameters, of); });
   const double distance = pair.radius_i + pair.radius_j;
@@ -58,7 +58,7 @@ inline Encounter collide(const LawParameters& parameters, const PairProperties& 
   pairs.balls[0].velocity = {-speed * pair.mass_j / sum, 0, 0};
   pairs.balls[1] = {.radius = pair.radius_j, .mass = pair.mass_j};
   pairs.balls[1].velocity = {speed * pair.mass_i / sum, 0, 0};
-  Encounter outcome;
+  PairCollision outcome;
   for (int step = 0; step < limit; ++step) {
     pairs.step();
     const double overlap = pairs.overlap(0, 1);

@@ -23,7 +23,7 @@ TEST_P(PartFacts, APairStoredTheOtherWayRoundGoesOnAsBefore) {
     law.react(state, history.data());
   }
   turned = history;
-  for (std::size_t k = 0; k < turned.size(); ++k) turned[k] *= GeneralLaw::kMemorySigns[k];
+  for (std::size_t k = 0; k < turned.size(); ++k) turned[k] *= GeneralLaw::kHistorySigns[k];
   ContactState other = state;
   other.normal = -1.0 * state.normal;
   other.velocity = -1.0 * state.velocity;
@@ -36,7 +36,7 @@ TEST_P(PartFacts, APairStoredTheOtherWayRoundGoesOnAsBefore) {
   EXPECT_EQ(one.torque.y, -two.torque.y);
   EXPECT_EQ(one.torque.z, -two.torque.z);
   for (std::size_t k = 0; k < turned.size(); ++k)
-    EXPECT_EQ(turned[k], GeneralLaw::kMemorySigns[k] * history[k]) << k;
+    EXPECT_EQ(turned[k], GeneralLaw::kHistorySigns[k] * history[k]) << k;
 }
 
 TEST_P(PartFacts, OnlyAHystereticForceDependsOnThePast) {

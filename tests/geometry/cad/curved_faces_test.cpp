@@ -52,6 +52,40 @@ TEST(CurvedFaces, UnitComesFromTheFile) {
   EXPECT_NEAR(shoe.mesh.bounding_box().size().x(), 38, 1e-6);
 }
 
+/// The shoe's STEP file without the units that it states for lengths.
+std::string without_unit_of_length() {
+  std::string text = support::contents(kTools + "shoe/shoe.step");
+  for (const char* unit : {"LENGTH_UNIT()", "NAMED_UNIT(*)", "SI_UNIT(.MILLI.,.METRE.)"})
+    if (text.find(unit) == std::string::npos) throw std::logic_error(std::string("no ") + unit);
+  // The context refers to its units by number; the one of lengths goes.
+  const std::size_t at = text.find("LENGTH_UNIT()");
+  const std::size_t line = text.rfind('#', at);
+  const std::string number = text.substr(line, text.find('=', line) - line);
+  const std::string name = number.substr(0, number.find_last_not_of(' ') + 1);
+  const std::size_t list = text.find("GLOBAL_UNIT_ASSIGNED_CONTEXT");
+  const std::size_t place = text.find(name + ',', list);
+  if (place == std::string::npos) throw std::logic_error("the units are listed in another way");
+  return text.erase(place, name.size() + 1);
+}
+
+TEST(CurvedFaces, AStepFileWithoutUnitNeedsOne) {
+  const support::TemporaryFolder directory;
+  const auto file = directory.write("plain.step", without_unit_of_length());
+  try {
+    part_of(file, "");
+    FAIL() << "accepted";
+  } catch (const MeshError& error) {
+    EXPECT_NE(std::string(error.what()).find("does not state its unit of length: give length_unit"),
+              std::string::npos)
+        << error.what();
+  }
+  ImportOptions options;
+  options.metres_per_unit = 1e-2;
+  const ImportedPart shoe = import_part(file, options);
+  EXPECT_FALSE(shoe.unit_from_file);
+  EXPECT_NEAR(shoe.mesh.bounding_box().size().x(), 0.38, 1e-6);
+}
+
 TEST(CurvedFaces, TrianglesKeepTheChordTolerance) {
   double before = 0;
   for (const double chord : {2e-5, 5e-6, 1e-6}) {

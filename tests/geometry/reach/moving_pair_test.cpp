@@ -26,7 +26,7 @@ class Blocks {
         solid_(mesh_),
         other_solid_(other_),
         pair_(other_, other_solid_, mesh_, solid_, kTolerance) {}
-  std::optional<MovingPair::Cut> look(const SolidPose& pose) { return pair_.look(pose, {}); }
+  std::optional<MovingPair::Cut> find_cut(const SolidPose& pose) { return pair_.find_cut(pose, {}); }
 
  private:
   Mesh mesh_, other_;
@@ -36,23 +36,23 @@ class Blocks {
 
 TEST(MovingPair, SlidingOnAPlateIsNoCut) {
   Blocks blocks({-0.005, -0.005, 0}, {0.005, 0.005, 0.01});
-  for (int n = 0; n <= 100; ++n) EXPECT_FALSE(blocks.look(at(-0.03 + 6e-4 * n, 0, 0))) << n;
+  for (int n = 0; n <= 100; ++n) EXPECT_FALSE(blocks.find_cut(at(-0.03 + 6e-4 * n, 0, 0))) << n;
 }
 
 TEST(MovingPair, ALoweredBlockCutsFromTheToleranceOn) {
   Blocks blocks({-0.005, -0.005, 0}, {0.005, 0.005, 0.01});
-  EXPECT_FALSE(blocks.look(at(0, 0, 1e-3)));
-  EXPECT_FALSE(blocks.look(at(0, 0, -0.5 * kTolerance)));
-  const auto cut = blocks.look(at(0, 0, -2e-3));
+  EXPECT_FALSE(blocks.find_cut(at(0, 0, 1e-3)));
+  EXPECT_FALSE(blocks.find_cut(at(0, 0, -0.5 * kTolerance)));
+  const auto cut = blocks.find_cut(at(0, 0, -2e-3));
   ASSERT_TRUE(cut);
   EXPECT_NEAR(cut->depth, 2e-3, 1e-9);
-  EXPECT_FALSE(blocks.look(at(0, 0, 1e-3)));
+  EXPECT_FALSE(blocks.find_cut(at(0, 0, 1e-3)));
 }
 
 TEST(MovingPair, FindsBarsThatCrossWithoutACornerInEachOther) {
   Blocks blocks({-0.05, -0.002, -0.002}, {0.05, 0.002, 0.002});
-  EXPECT_FALSE(blocks.look(at(0, 0, 0.0021)));
-  const auto cut = blocks.look(at(0, 0, -0.005));
+  EXPECT_FALSE(blocks.find_cut(at(0, 0, 0.0021)));
+  const auto cut = blocks.find_cut(at(0, 0, -0.005));
   ASSERT_TRUE(cut);
   EXPECT_NEAR(cut->depth, 0.005, 2.1e-3);
 }
@@ -61,9 +61,9 @@ TEST(MovingPair, TurningCountsAsMoving) {
   // Clears the plate upright, and swings through it about its upper end.
   Blocks blocks({-0.002, -0.002, 0}, {0.002, 0.002, 0.04});
   SolidPose pose = at(0, 0, 0.001);
-  EXPECT_FALSE(blocks.look(pose));
+  EXPECT_FALSE(blocks.find_cut(pose));
   pose.rotation = Eigen::AngleAxisd(3.14159265358979, Eigen::Vector3d::UnitX()).toRotationMatrix();
-  EXPECT_TRUE(blocks.look(pose));
+  EXPECT_TRUE(blocks.find_cut(pose));
 }
 
 TEST(MovingPair, ASheetIsAsThickAsItIs) {

@@ -2,69 +2,14 @@
 // strays.
 #include "geometry/wall_spheres/wall_spheres.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
-#include "geometry/solid/solid_query.h"
-#include "tests/geometry/sample_meshes.h"
+#include "tests/geometry/wall_spheres/wall_sphere_support.h"
 
 namespace diefill::geometry {
 namespace {
 
-constexpr double kRadius = 1.5e-4;
-constexpr double kSpacing = 1.6 * kRadius;
-
-WallSphereOptions options() {
-  WallSphereOptions result;
-  result.radius = kRadius;
-  return result;
-}
-
-/// Diameter of the hole in the middle of four spheres on a square grid.
-double square_grid_gap(double spacing_over_radius) {
-  return 2 * kRadius * (spacing_over_radius / std::sqrt(2) - 1);
-}
-
-/// Every centre is inside, and neither closer to the surface than R nor deeper.
-void expect_all_at_depth(const Mesh& mesh, const WallSpheres& spheres) {
-  const SolidQuery query(mesh);
-  double shallowest = 1;
-  double deepest = 0;
-  for (const Eigen::Vector3d& centre : spheres.centres) {
-    const double depth = -query.signed_distance(centre);
-    shallowest = std::min(shallowest, depth);
-    deepest = std::max(deepest, depth);
-  }
-  EXPECT_GE(shallowest, kRadius * (1 - 1e-9));
-  EXPECT_NEAR(shallowest, kRadius, 1e-12);
-  EXPECT_NEAR(deepest, kRadius, 1e-12);
-}
-
-/// The widest place without a sphere along a line of points at depth R: the brute-force answer to "does it
-/// leak".
-double widest_along(const WallSpheres& spheres, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  double widest = 0;
-  for (int i = 0; i <= 400; ++i) {
-    const Eigen::Vector3d place = from + i / 400.0 * (to - from);
-    double nearest = 1;
-    for (const Eigen::Vector3d& centre : spheres.centres)
-      nearest = std::min(nearest, (centre - place).norm());
-    widest = std::max(widest, nearest);
-  }
-  return widest;
-}
-
-double area(const Mesh& mesh) {
-  double sum = 0;
-  for (const Eigen::Vector3i& t : mesh.triangles) {
-    const auto corner = [&](int k) { return mesh.vertices[static_cast<std::size_t>(t[k])]; };
-    sum += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
-  }
-  return sum;
-}
+using namespace wall_sphere_tests;
 
 TEST(WallSpheres, CoverABoxWithSquareGrids) {
   const Eigen::Vector3d size(0.006, 0.005, 0.004);
@@ -161,18 +106,6 @@ TEST(WallSpheres, CloseTheCavityWallOfATube) {
   }
 }
 
-TEST(WallSpheres, CloseTheInnerEdgeOfAnL) {
-  const Mesh mesh =
-      sample::prism({{0, 0}, {0.006, 0}, {0.006, 0.002}, {0.002, 0.002}, {0.002, 0.006}, {0, 0.006}},
-                    {0.001, 0.001}, 0.004);
-  const WallSpheres spheres = make_wall_spheres(mesh, options());
-  expect_all_at_depth(mesh, spheres);
-  EXPECT_LE(spheres.largest_gap, square_grid_gap(1.6) * (1 + 1e-5));
-  // Straight through the edge on the bisector of the corner, where a sphere would leak.
-  const double below = 0.002 - kRadius / std::sqrt(2);
-  EXPECT_LE(widest_along(spheres, {below, below, kRadius}, {below, below, 0.004 - kRadius}), kRadius * 1.14);
-}
-
 TEST(WallSpheres, FollowASphereWhateverTheSizeOfItsTriangles) {
   for (const int levels : {1, 3, 5}) {
     const Mesh mesh = sample::sphere(0.003, levels);
@@ -183,60 +116,6 @@ TEST(WallSpheres, FollowASphereWhateverTheSizeOfItsTriangles) {
     const double count = static_cast<double>(spheres.centres.size()) * kSpacing * kSpacing / area(mesh);
     EXPECT_NEAR(count, 1, 0.25) << levels;
   }
-}
-
-TEST(WallSpheres, RoundOffASharpWedge) {
-  const double angle = std::numbers::pi / 6;
-  const Mesh mesh =
-      sample::prism({{0, 0}, {0.006, 0}, {0.006, 0.006 * std::tan(angle)}}, {0.004, 0.001}, 0.003);
-  const WallSpheres spheres = make_wall_spheres(mesh, options());
-  expect_all_at_depth(mesh, spheres);
-  EXPECT_LE(spheres.largest_gap, square_grid_gap(1.6) * (1 + 1e-5));
-  // The sphere that touches both faces leaves the tip empty: R / sin(angle / 2) - R.
-  const double tip = kRadius / std::sin(angle / 2) - kRadius;
-  EXPECT_NEAR(spheres.largest_deviation, tip, 0.1 * tip);
-  EXPECT_NEAR(spheres.largest_deviation_place.head<2>().norm(), 0, 0.2 * kRadius);
-}
-
-/// What a round hole leaves of an inner corner: a pillar of three sides, one of them bent, with two cusps.
-Mesh pillar_beside_a_hole() {
-  constexpr double kHole = 4.5e-3;         // m
-  const Eigen::Vector2d axis(3e-3, 4e-3);  // of the hole, seen from the corner
-  const double from = -std::acos(-axis.x() / kHole), to = -std::numbers::pi + std::asin(axis.y() / kHole);
-  constexpr int kFacets = 6;
-  std::vector<Eigen::Vector2d> corners = {{0, 0}};
-  for (int n = 0; n <= kFacets; ++n) {
-    const double angle = to + (from - to) * n / kFacets;
-    corners.push_back(axis + kHole * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
-  }
-  return sample::prism(corners, {1e-4, 1e-4}, 3e-3);
-}
-
-TEST(WallSpheres, RoundOffTheCuspsOfAPillarBesideARoundHole) {
-  WallSphereOptions wanted = options();
-  wanted.radius = 2e-4;
-  const WallSpheres spheres = make_wall_spheres(pillar_beside_a_hole(), wanted);
-  EXPECT_GT(spheres.centres.size(), 0U);
-  EXPECT_LT(spheres.largest_deviation, 5 * wanted.radius);
-}
-
-TEST(WallSpheres, RefuseAPlateThinnerThanASphere) {
-  const Mesh mesh = sample::box(Eigen::Vector3d::Zero(), Eigen::Vector3d(0.005, 0.005, 1.9 * kRadius));
-  try {
-    make_wall_spheres(mesh, options());
-    FAIL() << "a plate of 1.9 R was taken";
-  } catch (const MeshError& error) {
-    const std::string message = error.what();
-    EXPECT_NE(message.find("only 0.285 mm thick"), std::string::npos) << message;
-    EXPECT_NE(message.find("below 0.1425 mm"), std::string::npos) << message;
-  }
-}
-
-TEST(WallSpheres, FillAPlateOfExactlyOneSphere) {
-  const Mesh mesh = sample::box(Eigen::Vector3d::Zero(), Eigen::Vector3d(0.005, 0.005, 2 * kRadius));
-  const WallSpheres spheres = make_wall_spheres(mesh, options());
-  expect_all_at_depth(mesh, spheres);
-  EXPECT_LE(spheres.largest_gap, square_grid_gap(1.6) * (1 + 1e-5));
 }
 
 TEST(WallSpheres, CoverOnlyWhatPowderReachesAndItsEdge) {
@@ -256,25 +135,6 @@ TEST(WallSpheres, CoverOnlyWhatPowderReachesAndItsEdge) {
   }
   const double depth = 0.01 - kRadius;
   EXPECT_LE(widest_along(spheres, {0.007, 0.007, depth}, {0.013, 0.007, depth}), 1.1315 * kRadius);
-}
-
-TEST(WallSpheres, CoverNeedlesThatMeetInAPoint) {
-  // As CAD programs like to cut a plate with a round hole: a fan of needles from the plate's far corner.
-  std::vector<Eigen::Vector2d> outline = {{45e-3, -2e-3}, {45e-3, 2e-3}};
-  constexpr int kNeedles = 80;
-  for (int k = 0; k <= kNeedles; ++k) {
-    const double angle = (0.5 + static_cast<double>(k) / kNeedles) * std::numbers::pi;
-    outline.emplace_back(5e-3 * std::cos(angle), 5e-3 * std::sin(angle));
-  }
-  constexpr double kHeight = 3e-3;
-  const Mesh mesh = sample::prism(outline, {44e-3, 0}, kHeight);
-  auto wanted = options();
-  wanted.reachable = [](const Eigen::Vector3d&, const Eigen::Vector3d& normal) { return normal.z() > 0.5; };
-  const auto spheres = make_wall_spheres(mesh, wanted);
-  const double depth = kHeight - kRadius;
-  for (const double x : {43e-3, 40e-3, 36e-3, 25e-3})
-    EXPECT_LE(widest_along(spheres, {x, -1.5e-3, depth}, {x, 1.5e-3, depth}), kSpacing / std::sqrt(2) * 1.001)
-        << x;
 }
 
 TEST(WallSpheres, OfAnUnreachableToolAreNone) {
@@ -299,15 +159,15 @@ TEST(WallSpheres, AreTheSameBitForBitEveryTime) {
 TEST(WallSpheres, TellHowFarTheyAreWithoutEverGoingBack) {
   WallSphereOptions telling = options();
   telling.reachable = [](const Eigen::Vector3d&, const Eigen::Vector3d&) { return true; };
-  std::vector<double> told;
-  telling.tell = [&](double share) { told.push_back(share); };
+  std::vector<double> reported;
+  telling.on_progress = [&](double share) { reported.push_back(share); };
   const Mesh tube = sample::tube(0.004, 0.006, 0.005, 200);
   const WallSpheres spheres = make_wall_spheres(tube, telling);
-  ASSERT_FALSE(told.empty());
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_GT(told.front(), 0);
-  EXPECT_DOUBLE_EQ(told.back(), 1);
-  telling.tell = nullptr;
+  ASSERT_FALSE(reported.empty());
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  EXPECT_GT(reported.front(), 0);
+  EXPECT_DOUBLE_EQ(reported.back(), 1);
+  telling.on_progress = nullptr;
   EXPECT_EQ(make_wall_spheres(tube, telling).centres, spheres.centres);
 }
 

@@ -60,5 +60,15 @@ TEST(ParameterRange, FaultsAreNamedWithTheirPlace) {
   EXPECT_NE(complaint("[[parameter]]\nkey = \"powder.friction\"\nfrom = 0\n").find("to"), std::string::npos);
 }
 
+TEST(ParameterRange, AKeyThatBringsAValueOrACommentAlongIsRefused) {
+  for (const char* key : {"powder.friction = 3 #", "powder.friction #", "powder.friction, x", "powder."}) {
+    const std::string message =
+        complaint(std::string("[[parameter]]\nkey = \"") + key + "\"\nfrom = 0.2\nto = 1.0\n");
+    EXPECT_NE(message.find("calibration.toml:2"), std::string::npos) << message;
+    EXPECT_NE(message.find(std::string("found \"") + key + '"'), std::string::npos) << message;
+    EXPECT_NE(message.find("the path of a key alone"), std::string::npos) << message;
+  }
+}
+
 }  // namespace
 }  // namespace diefill::process::calibration

@@ -75,8 +75,8 @@ TEST(GrainsThatPay, AreThereOnlyWithMoreRanksThanTheyAreSlower) {
   RankCosts costs;
   costs.built_in_step = 2e-8;
   const int few = static_cast<int>(costs.slower);
-  EXPECT_EQ(grains_that_pay(7, few, 1, costs), 0);
-  const double pay = grains_that_pay(7, 64, 2, costs);
+  EXPECT_EQ(break_even_grains(7, few, 1, costs), 0);
+  const double pay = break_even_grains(7, 64, 2, costs);
   ASSERT_GT(pay, 0);
   EXPECT_LT(rank_step(1.2 * pay, 7, 64, costs).seconds, 1.2 * pay * 7 * costs.built_in_step / 2);
 }

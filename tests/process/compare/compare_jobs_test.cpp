@@ -1,10 +1,10 @@
-// Folders of jobs: what stands stays, what no longer fits is kept aside, and all that a scene needs is there.
+// Folders of jobs: what stands stays, what no longer fits is renamed, and all that a scene needs is there.
 #include <gtest/gtest.h>
 
 #include <map>
 
+#include "process/compare/backups.h"
 #include "process/compare/job_folder.h"
-#include "process/compare/kept_aside.h"
 #include "process/results/storage/result_file.h"
 #include "tests/process/wrong_scene.h"
 #include "tests/support/temporary_folder.h"
@@ -202,24 +202,24 @@ results::Comparison comparison_of(const std::vector<std::string>& folders) {
 TEST(EarlierTables, AreKeptWhereTheyTellMore) {
   const support::TemporaryFolder folder;
   const auto& directory = folder.path();
-  EXPECT_EQ(keep_earlier_tables(directory, comparison_of({"a"})), std::nullopt);
+  EXPECT_EQ(back_up_earlier_tables(directory, comparison_of({"a"})), std::nullopt);
   results::write_comparison(directory, comparison_of({"a", "b"}));
-  EXPECT_EQ(keep_earlier_tables(directory, comparison_of({"a", "b", "c"})), std::nullopt);
+  EXPECT_EQ(back_up_earlier_tables(directory, comparison_of({"a", "b", "c"})), std::nullopt);
   const std::string before = contents(directory / "comparison.json");
-  EXPECT_EQ(keep_earlier_tables(directory, comparison_of({"a", "c"})), directory / "previous-1");
+  EXPECT_EQ(back_up_earlier_tables(directory, comparison_of({"a", "c"})), directory / "previous-1");
   EXPECT_EQ(contents(directory / "previous-1/comparison.json"), before);
   EXPECT_TRUE(fs::exists(directory / "previous-1/comparison.csv"));
   EXPECT_FALSE(fs::exists(directory / "comparison.csv"));
   folder.write("comparison.json", "{");
-  EXPECT_EQ(keep_earlier_tables(directory, comparison_of({"a"})), directory / "previous-2");
+  EXPECT_EQ(back_up_earlier_tables(directory, comparison_of({"a"})), directory / "previous-2");
   folder.write("tradeoff.json", R"({"settings": [{"setting": "base", "seeds": 2}]})");
   results::Tradeoff tradeoff;
   tradeoff.points.resize(1);
   tradeoff.points[0].name = "base";
   tradeoff.points[0].seeds = 2;
-  EXPECT_EQ(keep_earlier_tables(directory, tradeoff), std::nullopt);
+  EXPECT_EQ(back_up_earlier_tables(directory, tradeoff), std::nullopt);
   tradeoff.points[0].seeds = 1;
-  EXPECT_EQ(keep_earlier_tables(directory, tradeoff), directory / "previous-3");
+  EXPECT_EQ(back_up_earlier_tables(directory, tradeoff), directory / "previous-3");
 }
 
 }  // namespace

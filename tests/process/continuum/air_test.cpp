@@ -22,14 +22,14 @@ TEST(Air, LeavesACavityAsFastAsPowderIsCarried) {
 TEST(Air, SuctionSolvesItsEquation) {
   for (const double own : {0.01, 0.05, 0.19})
     for (const double flux : {0.001, 0.1, 100.0}) {
-      const double punch = 0.2, u = sucked_speed(own, punch, flux);
+      const double punch = 0.2, u = suction_speed(own, punch, flux);
       EXPECT_NEAR(u * u, own * own * (1 + (punch - u) / flux), 1e-10);
       EXPECT_GE(u, own);
       EXPECT_LE(u, punch);
     }
-  EXPECT_EQ(sucked_speed(0.3, 0.2, 0.1), 0.2);            // follows by itself
-  EXPECT_NEAR(sucked_speed(0.05, 0.2, 1e6), 0.05, 1e-6);  // air passes without pulling
-  EXPECT_NEAR(sucked_speed(0.05, 0.2, 1e-6), 0.2, 1e-4);  // as a piston in a syringe
+  EXPECT_EQ(suction_speed(0.3, 0.2, 0.1), 0.2);            // follows by itself
+  EXPECT_NEAR(suction_speed(0.05, 0.2, 1e6), 0.05, 1e-6);  // air passes without pulling
+  EXPECT_NEAR(suction_speed(0.05, 0.2, 1e-6), 0.2, 1e-4);  // as a piston in a syringe
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "process/estimate/filling.h"
-#include "process/estimate/mouth.h"
+#include "process/estimate/openings.h"
 #include "process/input/scene_error.h"
 #include "process/setup/read_tooling.h"
 #include "project_paths.h"
@@ -22,32 +22,32 @@ Scene sample(const std::string& name) {
   return read_scene(std::string(DIEFILL_SOURCE_DIR) + "/sample_tools/" + name);
 }
 
-TEST(Mouth, OfARingHasItsAreaAndItsWidth) {
+TEST(OpeningLayout, OfARingHasItsAreaAndItsWidth) {
   const Scene scene = sample("narrow_ring/fill.toml");
   const Tooling tooling = read_tooling(scene);
-  const Mouth mouth = mouth_of(with_prepared_steps(scene, tooling), tooling);
-  ASSERT_EQ(mouth.openings.size(), 1U);
+  const OpeningLayout layout = find_openings(with_prepared_steps(scene, tooling), tooling);
+  ASSERT_EQ(layout.openings.size(), 1U);
   const double outer = 8 * kMm + 4.462 * kMm, area = std::numbers::pi * (outer * outer - 64 * kMm * kMm);
-  EXPECT_NEAR(mouth.openings[0].area, area, 0.01 * area);
-  EXPECT_NEAR(mouth.openings[0].width, 4.462 * kMm, 0.03 * 4.462 * kMm);
-  EXPECT_TRUE(mouth.punches.empty());
+  EXPECT_NEAR(layout.openings[0].area, area, 0.01 * area);
+  EXPECT_NEAR(layout.openings[0].width, 4.462 * kMm, 0.03 * 4.462 * kMm);
+  EXPECT_TRUE(layout.punches.empty());
 }
 
-TEST(Mouth, OfAFallingPunchIsThePartAboveIt) {
+TEST(OpeningLayout, OfAFallingPunchIsThePartAboveIt) {
   const Scene scene = sample("narrow_ring/strategies/volumetric.toml");
   const Tooling tooling = read_tooling(scene);
-  const Mouth mouth = mouth_of(with_prepared_steps(scene, tooling), tooling);
-  ASSERT_EQ(mouth.punches.size(), 1U);
-  EXPECT_NEAR(mouth.punches[0].stroke, 20 * kMm, 0.5 * kMm);
-  EXPECT_NEAR(mouth.punches[0].speed(), 0.02, 0.002);
-  EXPECT_NEAR(mouth.punches[0].area, mouth.openings[0].area, 0.02 * mouth.openings[0].area);
+  const OpeningLayout layout = find_openings(with_prepared_steps(scene, tooling), tooling);
+  ASSERT_EQ(layout.punches.size(), 1U);
+  EXPECT_NEAR(layout.punches[0].stroke, 20 * kMm, 0.5 * kMm);
+  EXPECT_NEAR(layout.punches[0].speed(), 0.02, 0.002);
+  EXPECT_NEAR(layout.punches[0].area, layout.openings[0].area, 0.02 * layout.openings[0].area);
 }
 
 // Plates on edge leave slivers beside each other, whose area asks for places without end.
-TEST(Mouth, OfSliversBesidePlatesStaysSmall) {
+TEST(OpeningLayout, OfSliversBesidePlatesStaysSmall) {
   const Scene scene = sample("laboratory/periodic_box.toml");
   const Tooling tooling = read_tooling(scene);
-  EXPECT_LT(mouth_of(with_prepared_steps(scene, tooling), tooling).places.size(), 100000U);
+  EXPECT_LT(find_openings(with_prepared_steps(scene, tooling), tooling).places.size(), 100000U);
 }
 
 TEST(Estimate, OfASlitIsTheFormulaOfTheMovingShoe) {
@@ -62,9 +62,9 @@ TEST(Estimate, OfASlitIsTheFormulaOfTheMovingShoe) {
                                    *scene.numerics.period[1]};
     const double mass = continuum::mass_of_passage(continuum::kSimulatedDischarge, slit, 32 * kMm, 0.18);
     EXPECT_NEAR(found.openings[0].mass.back(), mass, 0.02 * mass);
-    EXPECT_NEAR(found.way.speed, 0.18, 0.002);
-    EXPECT_NEAR(found.way.length, 32 * kMm, 0.5 * kMm);
-    EXPECT_EQ(found.way.crossings, 1U);
+    EXPECT_NEAR(found.path.speed, 0.18, 0.002);
+    EXPECT_NEAR(found.path.length, 32 * kMm, 0.5 * kMm);
+    EXPECT_EQ(found.path.crossings, 1U);
   }
 }
 
@@ -153,6 +153,25 @@ TEST(Estimate, ReadsALawThatWasFittedAndRefusesOthers) {
     EXPECT_THROW(read_discharge(file), SceneError) << text;
   }
   EXPECT_THROW(read_discharge(folder.path() / "none.json"), SceneError);
+}
+
+TEST(Estimate, ALawWithoutAPossibleRangeIsRefusedInOneLine) {
+  const support::TemporaryFolder folder;
+  const auto file = folder.path() / "fit.json";
+  for (const std::string bound : {"-0.1", "-1e300", "null", "\"far\""}) {
+    folder.write("fit.json", R"({"law": "5.17", "largest_x": )" + bound +
+                                 R"(, "coefficients": {"C_B": {"value": 0.1}, "C_I": {"value": 0.2},
+      "C_F": {"value": 0.9}, "beta": {"value": 1.1}}})");
+    try {
+      read_discharge(file);
+      FAIL() << bound;
+    } catch (const SceneError& error) {
+      const std::string said = error.what();
+      EXPECT_EQ(said.find(file.string() + ": found "), 0U) << said;
+      EXPECT_NE(said.find("largest_x"), std::string::npos) << said;
+      EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    }
+  }
 }
 
 TEST(Estimate, RateIsConstantBeyondWhatWasMeasured) {

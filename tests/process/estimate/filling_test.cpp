@@ -9,7 +9,7 @@ namespace diefill::process::estimate {
 namespace {
 
 TEST(Filling, IsFreeWhileThereIsRoomAboveThePowder) {
-  const Room deep{20e-3, 2e-3};
+  const FillSpace deep{20e-3, 2e-3};
   const double free = deep.depth - kSlowsBelow * deep.width;
   EXPECT_DOUBLE_EQ(filled_height(deep, 0), 0);
   EXPECT_DOUBLE_EQ(filled_height(deep, 0.999 * free), 0.999 * free);
@@ -17,27 +17,27 @@ TEST(Filling, IsFreeWhileThereIsRoomAboveThePowder) {
 }
 
 TEST(Filling, FollowsItsRateAndNeverExceedsTheDepth) {
-  for (const Room& room : {Room{20e-3, 2e-3}, Room{20e-3, 8e-3}, Room{5e-3, 30e-3}}) {
-    const double reach = std::min(room.depth, kSlowsBelow * room.width);
+  for (const FillSpace& space : {FillSpace{20e-3, 2e-3}, FillSpace{20e-3, 8e-3}, FillSpace{5e-3, 30e-3}}) {
+    const double reach = std::min(space.depth, kSlowsBelow * space.width);
     const int steps = 40000;
     double height = 0;
     for (int k = 0; k < steps; ++k)
-      height += 3 * room.depth / steps * std::min(1.0, (room.depth - height) / reach);
-    EXPECT_NEAR(filled_height(room, 3 * room.depth), height, 1e-4 * room.depth);
-    EXPECT_LT(filled_height(room, 20 * room.depth), room.depth * (1 + 1e-12));
+      height += 3 * space.depth / steps * std::min(1.0, (space.depth - height) / reach);
+    EXPECT_NEAR(filled_height(space, 3 * space.depth), height, 1e-4 * space.depth);
+    EXPECT_LT(filled_height(space, 20 * space.depth), space.depth * (1 + 1e-12));
   }
 }
 
 TEST(Filling, OfTwoCrossingsIsThatOfBothTogether) {
-  const Room room{10e-3, 4e-3};
-  const double once = filled_height(room, 6e-3);
-  EXPECT_NEAR(filled_height(room, offered_for(room, once) + 5e-3), filled_height(room, 11e-3), 1e-12);
+  const FillSpace space{10e-3, 4e-3};
+  const double once = filled_height(space, 6e-3);
+  EXPECT_NEAR(filled_height(space, offered_for(space, once) + 5e-3), filled_height(space, 11e-3), 1e-12);
 }
 
 TEST(Filling, OffersAreFoundFromHeights) {
-  for (const Room& room : {Room{20e-3, 2e-3}, Room{5e-3, 30e-3}})
+  for (const FillSpace& space : {FillSpace{20e-3, 2e-3}, FillSpace{5e-3, 30e-3}})
     for (const double share : {0.1, 0.5, 0.9, 0.99})
-      EXPECT_NEAR(filled_height(room, offered_for(room, share * room.depth)), share * room.depth, 1e-12);
+      EXPECT_NEAR(filled_height(space, offered_for(space, share * space.depth)), share * space.depth, 1e-12);
   EXPECT_TRUE(std::isinf(offered_for({1e-3, 1e-3}, 1e-3)));
 }
 

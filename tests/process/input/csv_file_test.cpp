@@ -49,6 +49,18 @@ TEST_F(CsvTable, MayComeFromAnySpreadsheet) {
   EXPECT_EQ(numbers("\"a, all\",\"b\",,\n\"1\",\"2.5\",,\n,,,\n-3,4e-2,,\n"), all);
 }
 
+TEST_F(CsvTable, MayBeSeparatedByTabs) {
+  const std::vector<double> all = {1, 2.5, -3, 4e-2};
+  EXPECT_EQ(numbers("time s\tx mm\n1\t2.5\n-3\t4e-2\t\n"), all);
+  EXPECT_EQ(numbers("a,\tb\n1,\t2.5\n-3,\t4e-2\n"), all) << "tabs as blanks";
+  EXPECT_EQ(
+      complaint("a\tb\n1\t2,5\n"),
+      "t.csv:2:3: found \"2,5\", a number with a decimal comma; write a decimal point, such as \"2.5\"");
+  EXPECT_EQ(complaint("a\tb\n2;3\n"),
+            "t.csv:2: found 1 values, expected 2, one per column: the heading separates columns by tabs, "
+            "this line has semicolons; use one of them throughout, and decimal points");
+}
+
 TEST_F(CsvTable, HeadingsHaveNamesAndUnits) {
   for (const char* text : {"mass [g/s]", "mass (g/s)", "mass g/s"}) {
     EXPECT_EQ(csv_heading(text).name, "mass") << text;

@@ -17,7 +17,7 @@ constexpr double kInterval = 1e-4, kLongest = 0.05;  // s
 RingingWatch after_swinging(double amplitude, double frequency, double duration) {
   RingingWatch watch;
   for (double now = 0; now < duration; now += kInterval)
-    watch.look(1 + amplitude * std::sin(2 * std::numbers::pi * frequency * now), now, kLongest);
+    watch.add(1 + amplitude * std::sin(2 * std::numbers::pi * frequency * now), now, kLongest);
   return watch;
 }
 
@@ -32,13 +32,13 @@ TEST(RingingWatch, CountsSwingsThatGoFarEnough) {
 TEST(RingingWatch, ForgetsWhatIsLongAgo) {
   EXPECT_LE(after_swinging(0.8, 5, 10).swings, 1U);
   RingingWatch watch = after_swinging(0.8, 100, 0.1);
-  watch.look(1, 1, kLongest);
+  watch.add(1, 1, kLongest);
   EXPECT_EQ(watch.swings, 0U);
 }
 
 TEST(RingingWatch, ApproachFromNothingIsNoSwing) {
   RingingWatch watch;
-  for (double now = 0; now < 1; now += kInterval) watch.look(std::min(1.2, now), now, kLongest);
+  for (double now = 0; now < 1; now += kInterval) watch.add(std::min(1.2, now), now, kLongest);
   EXPECT_EQ(watch.swings, 0U);
 }
 

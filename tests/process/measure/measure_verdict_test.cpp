@@ -141,7 +141,7 @@ TEST(EnoughGrains, NoFigureStandsOnFewerThanTwenty) {
   result.powder = powder_of(few);
   result.solid_fraction = fraction_of(result.powder, [](const auto&) { return 0.4; });
   result.summary = summarise(result.powder, result.solid_fraction, result.cavity);
-  ASSERT_LT(result.summary.grains, kFewestGrains);
+  ASSERT_LT(result.summary.grains, kMinGrains);
   ASSERT_TRUE(std::isfinite(result.summary.mean));
   measure(result);
   EXPECT_TRUE(std::isnan(result.summary.mean));

@@ -29,9 +29,9 @@ TEST(Alarm, GoneBeforeItSetsNothing) {
 TEST(Alarm, CanBeSetAnew) {
   std::atomic<bool> flag{false};
   Alarm alarm(3600, flag);
-  alarm.put_off(7200);
+  alarm.postpone(7200);
   EXPECT_FALSE(flag);
-  alarm.put_off(0.001);
+  alarm.postpone(0.001);
   EXPECT_TRUE(goes_off(flag));
 }
 

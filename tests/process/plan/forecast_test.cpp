@@ -72,6 +72,14 @@ duration = "0.5 s"
   EXPECT_NEAR(phases[2].share, kept / poured, 1e-3);
 }
 
+TEST(PlanForecast, AShareOfTheGrainsStays) {
+  support::SceneTables tables;
+  tables.steps =
+      "[[step]]\nkind = \"clear\"\nlowest = 0.4\n[[step]]\nkind = \"wait\"\nduration = \"0.5 s\"\n";
+  const PlannedScene planned(tables);
+  EXPECT_NEAR(timeline(planned.scene, planned.tooling, {}).back().share, 0.4, 1e-9);
+}
+
 TEST(PlanForecast, WallTimeIsCostTimesSphereSteps) {
   const PlannedScene planned;
   const Plan plan = sample_plan(planned);

@@ -35,6 +35,23 @@ TEST(PlanSetting, ReferenceTakesThePublishedStepAndTheScenesPowder) {
   EXPECT_EQ(working.fill_height, 24e-3);
 }
 
+TEST(PlanSetting, ReferenceLeavesTheStepToTheProgramWhereThePublishedOneIsTooLong) {
+  support::SceneTables tables = PlannedScene::waiting();
+  tables.powder = R"(model = "B"
+sphere_radius = "0.3 mm"
+grain_mass = "1e-7 kg"
+)";
+  tables.numerics += R"([contact]
+coarse_graining = "none"
+normal = { law = "linear", stiffness = "50000 N/m" }
+damping = { law = "linear restitution", restitution = 0.65 }
+)";
+  const PlannedScene planned(tables);
+  const auto reference = numbers_of(Setting::reference, planned.scene, planned.tooling.cavity);
+  EXPECT_FALSE(reference.time_step);
+  EXPECT_NO_THROW(with_numbers(planned.scene, reference, "setting reference"));
+}
+
 TEST(PlanSetting, PowderBeyondNeedIsLeftOut) {
   support::SceneTables tables = PlannedScene::waiting();
   tables.pour = support::exchanged(tables.pour, "24 mm", "41 mm");

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "process/laboratory/race_bed.h"
+#include "process/laboratory/benchmark_bed.h"
 #include "process/plan/pilot.h"
 
 namespace diefill::process::plan {
@@ -48,10 +48,10 @@ TEST(SizeCost, MultipliesThePilotsCosts) {
               (30e-9 + 0.5 * 20e-9) * 20 / 30 + 10e-9, 1e-18);
 }
 
-class SizeCostOf : public ::testing::TestWithParam<laboratory::RaceBed> {};
+class SizeCostOf : public ::testing::TestWithParam<laboratory::BenchmarkBed> {};
 
 TEST_P(SizeCostOf, ABedIsMeasuredSideBySide) {
-  auto bed = laboratory::loose_race_bed(GetParam(), 36000);
+  auto bed = laboratory::loose_benchmark_bed(GetParam(), 36000);
   bed.settings.threads = 2;
   engine::Simulation simulation(bed.settings, bed.walls);
   simulation.add_grains(bed.grains);
@@ -70,11 +70,9 @@ TEST_P(SizeCostOf, ABedIsMeasuredSideBySide) {
   EXPECT_TRUE(measure_size_cost(engine::Simulation(bed.settings, bed.walls)).points.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Beds, SizeCostOf,
-                         ::testing::Values(laboratory::RaceBed::spheres, laboratory::RaceBed::clumps),
-                         [](const auto& kind) {
-                           return kind.param == laboratory::RaceBed::spheres ? "Spheres" : "Clumps";
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Beds, SizeCostOf, ::testing::Values(laboratory::BenchmarkBed::spheres, laboratory::BenchmarkBed::clumps),
+    [](const auto& kind) { return kind.param == laboratory::BenchmarkBed::spheres ? "Spheres" : "Clumps"; });
 
 }  // namespace
 }  // namespace diefill::process::plan

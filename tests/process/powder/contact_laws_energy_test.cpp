@@ -14,18 +14,18 @@ namespace {
 
 constexpr double kImpact = 0.7;  // m/s, what grains of the bed fall at
 
-/// Of the energy turned over: impacts, a few dozen steps each, are booked to about 1 %, beds at rest exactly.
-constexpr double kMost = 0.015, kMostAtRest = 0.002;
+/// Of the energy exchanged: impacts, a few dozen steps each, are booked to about 1 %, beds at rest exactly.
+constexpr double kMax = 0.015, kMaxAtRest = 0.002;
 
 void expect_no_gain(const std::vector<support::RegisteredLaw>& laws) {
   for (const auto& law : laws) {
     SCOPED_TRACE(law.contact);
     try {
       const auto gained = support::gained_by(engine_settings(law.scene, kImpact), {});
-      EXPECT_LT(gained.poured, kMost);
-      EXPECT_LT(gained.at_rest, kMostAtRest);
-      EXPECT_LT(gained.shaken, kMost);
-      EXPECT_LT(gained.discharged, kMost);
+      EXPECT_LT(gained.poured, kMax);
+      EXPECT_LT(gained.at_rest, kMaxAtRest);
+      EXPECT_LT(gained.shaken, kMax);
+      EXPECT_LT(gained.discharged, kMax);
     } catch (const engine::OutOfRange& reason) {
       ADD_FAILURE() << reason.what();
     }

@@ -38,6 +38,15 @@ TEST(LabTable, IsReadAsItWasWritten) {
   EXPECT_EQ(here_text(read.rows[1]), "-");
 }
 
+TEST(LabTable, NamesThatAreNoUtf8AreWritten) {
+  const support::TemporaryFolder folder;
+  LabTable table;
+  table.experiment = "heaps";
+  table.powder = "powder_\xe4.toml";
+  write_lab_table(folder.path(), table);
+  EXPECT_EQ(read_lab_table(folder.path(), "heaps").powder, "powder_\xef\xbf\xbd.toml");
+}
+
 TEST(LabTable, AMissingOrForeignFileIsOneLine) {
   const support::TemporaryFolder folder;
   EXPECT_THROW(read_lab_table(folder.path(), "none"), ResultError);

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <random>
 
+#include "process/results/storage/hashed_file.h"
 #include "process/results/storage/result_file.h"
-#include "process/results/storage/sealed_file.h"
 #include "tests/process/results_sample.h"
 #include "tests/support/temporary_folder.h"
 
@@ -97,11 +97,11 @@ TEST_F(DamagedResults, FilesOfEarlierVersionsAreReadWithANote) {
 TEST(SealedFile, GivesBackWhatWasWrittenAndNothingElse) {
   const support::TemporaryFolder folder;
   const std::string text("\0 any bytes \n", 13);
-  folder.write("file", sealed(text));
-  EXPECT_TRUE(ends_in_seal(folder.path() / "file"));
-  EXPECT_EQ(read_sealed(folder.path() / "file"), text);
+  folder.write("file", with_hash(text));
+  EXPECT_TRUE(ends_in_hash(folder.path() / "file"));
+  EXPECT_EQ(read_hashed(folder.path() / "file"), text);
   folder.write("file", text);
-  EXPECT_FALSE(ends_in_seal(folder.path() / "file"));
+  EXPECT_FALSE(ends_in_hash(folder.path() / "file"));
 }
 
 }  // namespace

@@ -20,13 +20,13 @@ std::string told_another_process(const fs::path& directory) {
   int ends[2];
   if (::pipe(ends) != 0) return "no pipe";
   if (::fork() == 0) {
-    std::string told;
+    std::string reported;
     try {
       const DirectoryLock lock(directory);
     } catch (const DirectoryInUse& error) {
-      told = error.what();
+      reported = error.what();
     }
-    ::_exit(::write(ends[1], told.data(), told.size()) < 0 ? 1 : 0);
+    ::_exit(::write(ends[1], reported.data(), reported.size()) < 0 ? 1 : 0);
   }
   ::close(ends[1]);
   char text[500];
@@ -40,9 +40,9 @@ TEST(DirectoryLock, KeepsOtherProcessesOutForItsLife) {
   const support::TemporaryFolder folder;
   {
     const DirectoryLock lock(folder.path());
-    const std::string told = told_another_process(folder.path());
-    EXPECT_NE(told.find("process " + std::to_string(::getpid())), std::string::npos) << told;
-    EXPECT_NE(told.find("locked"), std::string::npos) << told;
+    const std::string reported = told_another_process(folder.path());
+    EXPECT_NE(reported.find("process " + std::to_string(::getpid())), std::string::npos) << reported;
+    EXPECT_NE(reported.find("locked"), std::string::npos) << reported;
   }
   EXPECT_EQ(told_another_process(folder.path()), "");
   EXPECT_TRUE(fs::is_empty(folder.path()));
@@ -50,7 +50,7 @@ TEST(DirectoryLock, KeepsOtherProcessesOutForItsLife) {
 
 TEST(DirectoryLock, OfAKilledProcessMeansNothing) {
   const support::TemporaryFolder folder;
-  folder.write(".lock", "");
+  folder.write(".diefill-lock", "");
   EXPECT_FALSE(lock_holder(folder.path()).has_value());
   EXPECT_EQ(told_another_process(folder.path()), "");
 }
@@ -58,12 +58,12 @@ TEST(DirectoryLock, OfAKilledProcessMeansNothing) {
 TEST(EarlierResults, AreMovedAsideAndNothingElse) {
   const support::TemporaryFolder folder;
   const fs::path& out = folder.path();
-  EXPECT_FALSE(set_aside(out).has_value());
+  EXPECT_FALSE(back_up_results(out).has_value());
   fs::create_directory(out / "snapshots");
   for (const char* name : {"results.h5", "report.json", "density_map.png", "probe_on punch.csv", "fill.toml",
                            "die.stl", "motion.csv", "snapshots/early"})
     folder.write(name, name);
-  EXPECT_EQ(set_aside(out), out / "previous-1");
+  EXPECT_EQ(back_up_results(out), out / "previous-1");
   for (const char* name :
        {"results.h5", "report.json", "density_map.png", "probe_on punch.csv", "snapshots/early"}) {
     EXPECT_EQ(contents(out / "previous-1" / name), name);
@@ -71,9 +71,57 @@ TEST(EarlierResults, AreMovedAsideAndNothingElse) {
   }
   for (const char* name : {"fill.toml", "die.stl", "motion.csv"}) EXPECT_EQ(contents(out / name), name);
   folder.write("checkpoint.bin", "another");
-  EXPECT_EQ(set_aside(out), out / "previous-2");
+  EXPECT_EQ(back_up_results(out), out / "previous-2");
   EXPECT_EQ(contents(out / "previous-2" / "checkpoint.bin"), "another");
   EXPECT_EQ(contents(out / "previous-1" / "results.h5"), "results.h5");
+}
+
+TEST(EarlierResults, IncludeTheSeriesForParaView) {
+  const support::TemporaryFolder folder;
+  for (const char* name : {"results.h5", "filling.pvd"}) folder.write(name, name);
+  EXPECT_EQ(back_up_results(folder.path()), folder.path() / "previous-1");
+  EXPECT_EQ(contents(folder.path() / "previous-1/filling.pvd"), "filling.pvd");
+  EXPECT_FALSE(fs::exists(folder.path() / "filling.pvd"));
+}
+
+TEST(EarlierResults, OfSomeoneElseAreMovedToo) {
+  const support::TemporaryFolder folder;
+  for (const char* name : {"section.png", "plan_map.png", "live.html", "results.xdmf"})
+    folder.write(name, name);
+  folder.write("notes.txt", "notes");
+  EXPECT_EQ(back_up_results(folder.path()), folder.path() / "previous-1");
+  for (const char* name : {"section.png", "plan_map.png", "live.html", "results.xdmf"})
+    EXPECT_EQ(contents(folder.path() / "previous-1" / name), name);
+  EXPECT_EQ(contents(folder.path() / "notes.txt"), "notes");
+  EXPECT_FALSE(back_up_results(folder.path()).has_value());
+}
+
+TEST(EarlierResults, WouldMoveTheDirectoryAndWhatARunLeftInIt) {
+  const support::TemporaryFolder folder;
+  const fs::path out = folder.path() / "out";
+  fs::create_directories(out / "snapshots/early");
+  fs::create_directories(out / "previous-1");
+  EXPECT_TRUE(would_be_moved(out, out));
+  EXPECT_TRUE(would_be_moved(out, folder.path() / "other/../out"));
+  EXPECT_TRUE(would_be_moved(out, out / "snapshots/early"));
+  EXPECT_FALSE(would_be_moved(out, out / "previous-1"));
+  EXPECT_FALSE(would_be_moved(out, folder.path()));
+  EXPECT_FALSE(would_be_moved(out, folder.path() / "out-2"));
+}
+
+TEST(DirectoryLock, LeavesALockFileOfOthersInPlace) {
+  const support::TemporaryFolder folder;
+  folder.write(".lock", "mine");
+  { const DirectoryLock lock(folder.path()); }
+  EXPECT_EQ(contents(folder.path() / ".lock"), "mine");
+}
+
+TEST(AbandonedFiles, AreKnownByTheNameThatThisProgramGives) {
+  const support::TemporaryFolder folder;
+  for (const char* name : {"data.2024-11.tmp", "picture.png.diefill-999999999-0.tmp"}) folder.write(name, "");
+  remove_abandoned_files(folder.path());
+  EXPECT_TRUE(fs::exists(folder.path() / "data.2024-11.tmp"));
+  EXPECT_FALSE(fs::exists(folder.path() / "picture.png.diefill-999999999-0.tmp"));
 }
 
 TEST(AbandonedFiles, OfProcessesThatAreNoMoreAreRemoved) {

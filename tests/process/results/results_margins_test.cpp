@@ -31,7 +31,7 @@ TEST(Margins, EnergyCountsEitherWayAndIsNeverNegative) {
 TEST(Margins, WhatIsBeyondALimitIsAWarning) {
   const auto lost = exceeded_text(run_with(-0.097));
   ASSERT_EQ(lost.size(), 1U);
-  EXPECT_NE(lost[0].find("9.7 % of the energy turned over was lost"), std::string::npos) << lost[0];
+  EXPECT_NE(lost[0].find("9.7 % of the energy exchanged was lost"), std::string::npos) << lost[0];
   EXPECT_TRUE(exceeded_text(run_with(-0.04)).empty());
   FillResult deep = run_with(0);
   deep.figures["deepest_overlap_ratio"] = 0.7;

@@ -232,7 +232,7 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   kept.probes.rows = {1, 2, 3};
   kept.snapshots.resize(1);
   kept.snapshots[0].taken = 4;
-  kept.grains_left = {3, 4};
+  kept.grains_removed = {3, 4};
   kept.grains_sheared = {3};
   kept.grains_leaked = 2;
   write_checkpoint(checkpoint_file(folder_.path()), kept);
@@ -246,7 +246,7 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   EXPECT_EQ(read->schedule.loads.at(1).force, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(read->probes.rows, (std::vector<double>{1, 2, 3}));
   EXPECT_EQ(read->snapshots.at(0).taken, 4U);
-  EXPECT_EQ(read->grains_left, kept.grains_left);
+  EXPECT_EQ(read->grains_removed, kept.grains_removed);
   EXPECT_EQ(read->grains_sheared, kept.grains_sheared);
   EXPECT_EQ(read->grains_leaked, 2U);
   engine::Simulation resumed(original.settings(), {});

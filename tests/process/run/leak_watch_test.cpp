@@ -15,7 +15,7 @@ Tooling with_cavity() {
 }
 
 void leave(LeakWatch& watch, const Eigen::Vector3d& place, int grains) {
-  for (int n = 0; n < grains; ++n) watch.has_left(place);
+  for (int n = 0; n < grains; ++n) watch.count_removed(place);
 }
 
 TEST(LeakWatch, CountsWhatLeavesBeneathTheCavityAndNotWhatIsSpilled) {
@@ -42,10 +42,10 @@ TEST(LeakWatch, WarnsFromAThousandthOfThePowderOn) {
 TEST(LeakWatch, HasNewsOnce) {
   const Tooling tooling = with_cavity();
   LeakWatch watch(tooling, 1e-3);
-  EXPECT_FALSE(watch.news(100));
+  EXPECT_FALSE(watch.first_warning(100));
   leave(watch, {0.005, 0.005, -0.03}, 50);
-  EXPECT_TRUE(watch.news(100));
-  EXPECT_FALSE(watch.news(100));
+  EXPECT_TRUE(watch.first_warning(100));
+  EXPECT_FALSE(watch.first_warning(100));
   EXPECT_TRUE(watch.warning(100));
 }
 

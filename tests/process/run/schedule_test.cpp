@@ -138,8 +138,8 @@ TEST(Schedule, StartsStepsByTimeByOthersAndTogether) {
   EXPECT_NEAR(machine.step(1).started - begin, 0.3, kTolerance);
   EXPECT_EQ(machine.step(2).started, begin);
   EXPECT_NEAR(machine.step(3).started, machine.step(0).ended + 0.05, kTolerance);
-  EXPECT_NEAR(machine.step(4).stop_asked, machine.step(0).ended, kTolerance);
-  EXPECT_NEAR(machine.step(4).ended - machine.step(4).stop_asked, 0.05, kTolerance);  // dying away
+  EXPECT_NEAR(machine.step(4).stop_requested, machine.step(0).ended, kTolerance);
+  EXPECT_NEAR(machine.step(4).ended - machine.step(4).stop_requested, 0.05, kTolerance);  // dying away
   // Shaken no more, where the other motion has put it.
   EXPECT_TRUE(machine.simulation().body_motion(1).translation.isApprox(Eigen::Vector3d(0, 0, -0.01), 1e-12));
 }
@@ -155,9 +155,9 @@ TEST(Schedule, WaitsForRestMassAndForce) {
   rest.limits = RestLimits{1e-3, 0.02};
   Machine machine({starting(wait(0.1), rest), starting(wait(0.1), full), starting(wait(0.1), pressed)});
   machine.run(0.5);
-  EXPECT_TRUE(machine.step(0).is_over());
-  EXPECT_TRUE(machine.step(1).waits());  // there is no powder
-  EXPECT_TRUE(machine.step(2).waits());
+  EXPECT_TRUE(machine.step(0).has_ended());
+  EXPECT_TRUE(machine.step(1).is_pending());  // there is no powder
+  EXPECT_TRUE(machine.step(2).is_pending());
   EXPECT_FALSE(machine.schedule().finished());
 }
 
@@ -183,7 +183,7 @@ TEST(Schedule, GoesOnInTheMiddleAsIfItHadNeverStopped) {
     resumed.run(10);
     for (std::size_t k = 0; k < 4; ++k) {
       EXPECT_EQ(resumed.step(k).started, unbroken.step(k).started) << moment << ", step " << k;
-      EXPECT_EQ(resumed.step(k).stop_asked, unbroken.step(k).stop_asked) << moment << ", step " << k;
+      EXPECT_EQ(resumed.step(k).stop_requested, unbroken.step(k).stop_requested) << moment << ", step " << k;
       EXPECT_EQ(resumed.step(k).ended, unbroken.step(k).ended) << moment << ", step " << k;
     }
   }
@@ -197,7 +197,7 @@ TEST(Schedule, ForeseesStartsAndEnds) {
   const auto plan = predicted(stages, 0.25);
   EXPECT_NEAR(plan[1].started, 0.25, 1e-12);
   EXPECT_NEAR(plan[2].started, 0.55, 1e-12);
-  EXPECT_NEAR(plan[3].stop_asked, 0.35, 1e-12);
+  EXPECT_NEAR(plan[3].stop_requested, 0.35, 1e-12);
   EXPECT_NEAR(plan[3].ended, 0.4, 1e-12);
   EXPECT_NEAR(plan[4].started, plan[2].ended, 1e-12);  // the settling added at the end waits for all
   EXPECT_FALSE(stages.stays("shoe"));
@@ -239,22 +239,22 @@ TEST(Snapshots, AreAllToComeUntilTheFirstCounts) {
   scene.snapshots[1].when = after("first");
   scene.snapshots[1].when->at_rest = true;
   const Snapshots both(scene);
-  const auto all_to_come = [&](const Snapshots& snapshots) {
-    return snapshots.all_to_come(machine.schedule().stages(), machine.schedule().state().steps,
-                                 machine.simulation().time());
+  const auto none_due_before = [&](const Snapshots& snapshots) {
+    return snapshots.none_due_before(machine.schedule().stages(), machine.schedule().state().steps,
+                                     machine.simulation().time());
   };
-  EXPECT_TRUE(all_to_come(both)) << "before the powder rests";
-  while (!machine.step(0).is_over()) {
+  EXPECT_TRUE(none_due_before(both)) << "before the powder rests";
+  while (!machine.step(0).has_ended()) {
     machine.run(kUpdate);
-    EXPECT_TRUE(all_to_come(both)) << machine.simulation().time();
+    EXPECT_TRUE(none_due_before(both)) << machine.simulation().time();
   }
   machine.run(kUpdate);
-  EXPECT_FALSE(all_to_come(both)) << "one waits for rest since the first step is over";
+  EXPECT_FALSE(none_due_before(both)) << "one waits for rest since the first step is over";
   scene.snapshots.pop_back();
   const Snapshots delayed(scene);
-  EXPECT_TRUE(all_to_come(delayed));
+  EXPECT_TRUE(none_due_before(delayed));
   machine.run(0.03);
-  EXPECT_FALSE(all_to_come(delayed));
+  EXPECT_FALSE(none_due_before(delayed));
 }
 
 }  // namespace

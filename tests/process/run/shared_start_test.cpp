@@ -85,7 +85,7 @@ TEST_F(SharedStart, IsCommonToScenesOfMoreAndFewerStepsToCome) {
   // Back again: what is to come waits.
   const auto more = with_steps(schedule_, 4);
   ASSERT_TRUE(more.has_value());
-  EXPECT_TRUE(more->steps[3].waits());
+  EXPECT_TRUE(more->steps[3].is_pending());
   EXPECT_FALSE(with_steps(schedule_, 2).has_value());
 }
 

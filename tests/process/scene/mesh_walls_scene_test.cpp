@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "process/powder/material.h"
+#include "process/scene/walls_without_effect.h"
 #include "process/tooling/periodic_tool.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
@@ -55,6 +56,20 @@ TEST(MeshWallsOfScenes, NeedNoShorterStepForCoarseGrains) {
   };
   // A sphere of 0.94 mm is pressed into dozens of wall spheres of 0.15 mm, but into few faces.
   EXPECT_GT(step_with("kind = \"mesh\""), 3 * step_with("spacing = 1.6"));
+}
+
+TEST(MeshWallsOfScenes, KeysOfTheOtherKindOfWallsAreRemarkedUpon) {
+  EXPECT_TRUE(walls_without_effect(scene_with("spacing = 1.6", "spacing = 1.6")).empty());
+  const auto spacing = walls_without_effect(scene_with("spacing = 1.6", "spacing = 1.6\nkind = \"mesh\""));
+  ASSERT_EQ(spacing.size(), 1U);
+  EXPECT_NE(spacing[0].find("walls.spacing has no effect on contacts"), std::string::npos) << spacing[0];
+  const auto radius = walls_without_effect(scene_with("spacing = 1.6", "contact_radius = \"flat\""));
+  ASSERT_EQ(radius.size(), 1U);
+  EXPECT_NE(radius[0].find("walls.contact_radius has no effect"), std::string::npos) << radius[0];
+  const auto tool =
+      walls_without_effect(scene_with("role = \"die\"", "role = \"die\"\nwalls = \"mesh\"\nspacing = 2"));
+  ASSERT_EQ(tool.size(), 1U);  // walls.spacing is the shoe's
+  EXPECT_NE(tool[0].find("spacing of tool \"die\" has no effect"), std::string::npos) << tool[0];
 }
 
 geometry::Mesh prism() {

@@ -52,5 +52,19 @@ TEST(SceneIdentity, CountsTheContentsOfTheTablesThatStepsFollow) {
   EXPECT_NE(scene_identity(text, file, kTools), before);
 }
 
+TEST(SceneIdentity, InputFilesAreNamedWithAHashOfTheirContents) {
+  const support::TemporaryFolder folder;
+  const auto file = folder.path() / "scene.toml";
+  const std::string text = faultless_scene() + "\n[[step]]\nkind = \"table\"\nfile = \"motion.csv\"\n";
+  EXPECT_TRUE(input_files(faultless_scene(), file).empty());
+  folder.write("motion.csv", "0,0\n1,1\n");
+  const auto before = input_files(text, file);
+  ASSERT_EQ(before.size(), 1U);
+  EXPECT_EQ(before.front().name, "motion.csv");
+  EXPECT_EQ(input_files("# a comment\n" + text, file).front().hash, before.front().hash);
+  folder.write("motion.csv", "0,0\n1,2\n");
+  EXPECT_NE(input_files(text, file).front().hash, before.front().hash);
+}
+
 }  // namespace
 }  // namespace diefill::process

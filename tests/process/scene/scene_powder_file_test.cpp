@@ -124,5 +124,41 @@ TEST_F(PowderFile, FaultsAreNamedInTheFileWhereTheyStand) {
   EXPECT_NE(complaint().find("powder.toml:1"), std::string::npos);
 }
 
+TEST_F(PowderFile, SectionsOfTheSceneThatAreNoTablesAreRefusedWithTheirPlace) {
+  const std::string named =
+      support::exchanged(faultless_scene(), "preset = \"Distaloy AE\"\ngrain_diameter = \"1.88 mm\"\n",
+                         "file = \"powder.toml\"\n");
+  const std::string without =
+      support::exchanged(named, "[walls]\nsphere_radius = \"0.15 mm\"\nspacing = 1.6\n", "");
+  const auto refusal = [&](const std::string& text) {
+    try {
+      read_scene(folder_.write(text));
+    } catch (const SceneError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no complaint");
+  };
+  for (const auto& [text, found] :
+       {std::pair{"walls = 3\n" + without,
+                  "scene.toml:1:9: walls: found 3, expected one table: write [walls]"},
+        {"contact = 3\n" + named, "scene.toml:1:11: contact: found 3, expected one table: write [contact]"},
+        {support::exchanged(named, "[walls]", "[[walls]]"), ": walls: found"},
+        {support::exchanged(named, "[powder]", "[[powder]]"), ": powder: found"}}) {
+    const std::string message = refusal(text);
+    EXPECT_NE(message.find(found), std::string::npos) << message;
+    EXPECT_NE(message.find("expected one table"), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+  SceneChanges changes;
+  changes.set = "walls = [1]\n";
+  try {
+    changed_scene(named, folder_.path() / "scene.toml", changes);
+    FAIL() << "accepted";
+  } catch (const SceneError& error) {
+    EXPECT_NE(std::string(error.what()).find("walls: found [1], expected one table"), std::string::npos)
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace diefill::process

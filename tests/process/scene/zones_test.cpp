@@ -53,10 +53,10 @@ TEST(SceneZones, FaultsAreNamedInOneLine) {
   EXPECT_NE(complaint(box + "inner_radius = \"1.5 mm\"\n").find("lies within this radius"),
             std::string::npos);
   EXPECT_EQ(complaint(box + "inner_radius = \"1.4 mm\"\n"), "no complaint");
-  const std::string aside = "axis = [\"4 mm\", \"0 mm\", \"0 mm\"]\n";
-  EXPECT_NE(complaint(box + aside + "outer_radius = \"3 mm\"\n").find("lies outside this cylinder"),
+  const std::string offset_axis = "axis = [\"4 mm\", \"0 mm\", \"0 mm\"]\n";
+  EXPECT_NE(complaint(box + offset_axis + "outer_radius = \"3 mm\"\n").find("lies outside this cylinder"),
             std::string::npos);
-  EXPECT_EQ(complaint(box + aside + "outer_radius = \"3.1 mm\"\n"), "no complaint");
+  EXPECT_EQ(complaint(box + offset_axis + "outer_radius = \"3.1 mm\"\n"), "no complaint");
   const std::string good = "heights = [\"1 mm\", \"2 mm\"]\n";
   EXPECT_NE(complaint(zone + good + "[[measure.zone]]\nname = \"hub\"\n" + good).find("a name of its own"),
             std::string::npos);

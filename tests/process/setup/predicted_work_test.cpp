@@ -16,7 +16,7 @@ std::string complaint(const std::string& old, const std::string& text) {
   const SceneFolder folder;
   const Scene scene = read_scene(folder.write(support::exchanged(faultless_scene(), old, text)));
   try {
-    refuse_endless(scene);
+    refuse_excessive_work(scene);
   } catch (const SceneError& error) {
     return error.what();
   }

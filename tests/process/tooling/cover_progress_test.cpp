@@ -22,8 +22,8 @@ TEST(CoverProgress, CountsToolsByTheirTriangles) {
   double share = -1;
   std::string doing;
   auto spheres = covered();
-  progress.wait_for(0, spheres, 0.2, [&](double told, const std::string& words) {
-    share = told;
+  progress.wait_for(0, spheres, 0.2, [&](double reported, const std::string& words) {
+    share = reported;
     doing = words;
   });
   EXPECT_DOUBLE_EQ(share, 0.2 + 0.8 * (0.5 * 3 + 1) / 4);
@@ -41,12 +41,12 @@ TEST(CoverProgress, TellsWhileItWaits) {
     spheres.radius = 7;
     return spheres;
   });
-  std::vector<double> told;
+  std::vector<double> reported;
   const auto spheres =
-      progress.wait_for(0, slow, 0, [&](double share, const std::string&) { told.push_back(share); });
+      progress.wait_for(0, slow, 0, [&](double share, const std::string&) { reported.push_back(share); });
   EXPECT_EQ(spheres.radius, 7);
-  EXPECT_GE(told.size(), 2U);
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GE(reported.size(), 2U);
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
 }
 
 TEST(CoverProgress, PassesOnWhyAToolCannotBeCovered) {
@@ -54,7 +54,7 @@ TEST(CoverProgress, PassesOnWhyAToolCannotBeCovered) {
   std::promise<geometry::WallSpheres> failed;
   failed.set_exception(std::make_exception_ptr(geometry::MeshError("too thin")));
   auto spheres = failed.get_future();
-  EXPECT_THROW(progress.wait_for(0, spheres, 0, tell_nobody), geometry::MeshError);
+  EXPECT_THROW(progress.wait_for(0, spheres, 0, ignore_progress), geometry::MeshError);
 }
 
 }  // namespace

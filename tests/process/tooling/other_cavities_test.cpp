@@ -120,7 +120,7 @@ TEST(OtherCavities, AreMeasuredAsTheFirstAndKeepItsFigures) {
     other.maps.emplace_back();
     other.profiles.push_back({"fill level", "mm", "", "", {}, {}});
     results::add_statement(other, results::kVerdictTopic, results::verdict_name(1), "70 % full");
-    results::give_no_value(other, "fill_height_mm", "why");
+    results::set_no_value(other, "fill_height_mm", "why");
   });
   EXPECT_EQ(result.figures.at("fill_ratio"), 0.9);
   EXPECT_EQ(result.figures.at("cavity_2_fill_ratio"), 0.7);

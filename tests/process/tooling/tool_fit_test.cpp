@@ -55,5 +55,44 @@ TEST(ToolFit, ATinyToolIsToldAboutItsUnit) {
   expect_says(message, "50 mm in \"m\"");
 }
 
+/// A tool of that name whose mesh is that of `size` (m) about `middle`.
+void make_tool(Tool& tool, const std::string& name, const Eigen::Vector3d& middle, double size) {
+  tool.spec.name = name;
+  tool.mesh = tool_at(middle, size);
+}
+
+/// What is said of two tools; nothing where they fit.
+std::string said_of(const Tool& one, const Tool& other) {
+  try {
+    check_fit(one, other, 1.5e-4, "scene.toml:9: tool \"" + one.spec.name + "\"");
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ToolFit, TheSameBodyTwiceAtOnePlaceIsRefused) {
+  Tool die, again, beside;
+  make_tool(die, "die", {0, 0, 0}, 0.02);
+  make_tool(again, "die 2", {0, 0, 0}, 0.02);
+  make_tool(beside, "die 3", {0.03, 0, 0}, 0.02);
+  const std::string message = said_of(again, die);
+  expect_says(message, "scene.toml:9: tool \"die 2\" and tool \"die\" are the same body at the same place");
+  EXPECT_EQ(message.find('\n'), std::string::npos);
+  EXPECT_EQ(said_of(beside, die), "");
+}
+
+TEST(ToolFit, ABodyThatAnotherToolsFileHoldsTooIsRefused) {
+  Tool press, core;
+  make_tool(press, "press", {0, 0, 0}, 0.02);
+  make_tool(core, "core", {0.05, 0, 0}, 0.01);
+  const int corners = static_cast<int>(press.mesh.vertices.size());
+  for (const auto& corner : core.mesh.vertices) press.mesh.vertices.push_back(corner);
+  for (const auto& triangle : core.mesh.triangles)
+    press.mesh.triangles.emplace_back(triangle.array() + corners);
+  expect_says(said_of(core, press), "are the same body at the same place");
+  expect_says(said_of(press, core), "are the same body at the same place");
+}
+
 }  // namespace
 }  // namespace diefill::process

@@ -225,7 +225,7 @@ TEST(Evaluation, RecommendsNothingWhereSeedsScatterTooMuchAndSaysWhatIsMissing) 
       tradeoff.advice,
       "No setting is recommended: the scatter over seeds is up to 29 % (mass), and settings that "
       "differ by less than 10 % cannot be distinguished; about 8 seeds of each would suffice: --seeds 8.");
-  EXPECT_FALSE(tells_apart(tradeoff));
+  EXPECT_FALSE(distinguishes_settings(tradeoff));
   // Who accepts more than the scatter is told what to take.
   tradeoff.tolerance = 0.3;
   evaluate(tradeoff, 0);

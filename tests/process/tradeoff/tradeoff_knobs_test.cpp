@@ -100,6 +100,25 @@ TEST(KnobRegistry, AThinnerSliceTakesThePourAlong) {
                {"--vary slice_length=9 mm", "not periodic"});
 }
 
+TEST(KnobRegistry, AClumpOfTheScenesOwnHasNoOtherModelsToTry) {
+  const KeptScene kept(support::exchanged(
+      faultless_scene(), "preset = \"Distaloy AE\"\n",
+      "spheres = [ { centre = [\"-0.05 mm\", \"0 mm\", \"0 mm\"], radius = \"0.1 mm\" }, { centre = [\"0.05 "
+      "mm\", \"0 mm\", \"0 mm\"], radius = \"0.1 mm\" } ]\ngrain_mass = \"5e-8 kg\"\n"));
+  ASSERT_EQ(kept.scene.powder.model, GrainModel::clump);
+  const Knob knob = knob_called("grain_model");
+  EXPECT_TRUE(knob.usual(kept.scene).empty());
+  EXPECT_EQ(knob.current(kept.scene), "clump");
+  for (const KnobValues& values : usual_knobs(kept.scene)) EXPECT_NE(values.knob.name, "grain_model");
+  expect_parts(complaint([&] { one_at_a_time(kept.scene, {read_vary("grain_model=A,B")}, true); }),
+               {"--vary grain_model=A", "a clump of its own", "leave out this knob"});
+}
+
+TEST(KeyPaths, APathThatBringsACommentAlongIsNoKnob) {
+  expect_parts(complaint([] { knob_called("# powder.friction"); }),
+               {"--vary: found \"# powder.friction\"", "which is not a knob"});
+}
+
 TEST(KeyPaths, AnyKeyOfASceneIsAKnob) {
   const KeptScene kept(faultless_scene());
   EXPECT_EQ(strategy_text(turned(kept.scene, "step.1.velocity", "0.1 m/s")), "1 passage at 0.1 m/s");

@@ -145,6 +145,39 @@ TEST_F(ChartTest, AxisRangesComeFromTheData) {
   EXPECT_DOUBLE_EQ(axis_range({}, {16.2, 17.9}, true).lower, 0);
 }
 
+TEST_F(ChartTest, MarksKeepAMarginToTheFrame) {
+  Chart chart;
+  chart.curves = {{"", {0.3, 0.5, 0.8}, {100, 12, 1}, CurveStyle::kMarkers, {}}};
+  for (const bool logarithmic : {false, true}) {
+    chart.y.logarithmic = logarithmic;
+    const auto picture = compose_chart(chart);
+    keep(picture.image, logarithmic ? "chart_margin_log.png" : "chart_margin.png");
+    const QRectF& rect = picture.plot.rect;
+    const QRectF inside = rect.adjusted(0.04 * rect.width(), 0.04 * rect.height(), -0.04 * rect.width(),
+                                        logarithmic ? -0.04 * rect.height() : 0);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_TRUE(inside.contains(picture.plot.pixel(chart.curves[0].x[k], chart.curves[0].y[k]))) << k;
+    EXPECT_LT(picture.plot.x.range.upper, 0.9);
+  }
+}
+
+TEST_F(ChartTest, ANaturalZeroAndGivenLimitsAreKept) {
+  Chart chart;
+  chart.curves = {parabola("", 1, CurveStyle::kMarkers)};
+  const auto from_zero = compose_chart(chart).plot;
+  EXPECT_EQ(from_zero.x.range.lower, 0);
+  EXPECT_EQ(from_zero.y.range.lower, 0);
+  EXPECT_GT(from_zero.x.range.upper, 10.4);
+  // Positive values next to zero do not make the axis negative.
+  chart.curves = {{"", {0.01, 1}, {0.01, 1}, CurveStyle::kMarkers, {}}};
+  EXPECT_EQ(compose_chart(chart).plot.x.range.lower, 0);
+  EXPECT_EQ(compose_chart(chart).plot.y.range.lower, 0);
+  chart.x.lower = 0.01;
+  chart.x.upper = 1;
+  EXPECT_EQ(compose_chart(chart).plot.x.range.lower, 0.01);
+  EXPECT_EQ(compose_chart(chart).plot.x.range.upper, 1);
+}
+
 TEST_F(ChartTest, UnequalArraysAreRefusedByName) {
   Chart chart;
   chart.curves = {{"odd one", {1, 2, 3}, {1, 2}, CurveStyle::kLine, {}}};

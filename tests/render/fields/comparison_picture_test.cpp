@@ -52,6 +52,18 @@ TEST_F(ComparisonPictures, ShareOneScale) {
   }
 }
 
+TEST_F(ComparisonPictures, SayHowManySeedsAFieldIsTheMeanOf) {
+  auto fields = maps(3);
+  fields[0].seeds = 3;
+  fields[1].seeds = 1;
+  fields[0].name = std::string(200, 'w');
+  const auto names = compose_comparison(fields, kTitle).names;
+  EXPECT_TRUE(names[0].ends_with(", mean of 3 seeds")) << names[0];
+  EXPECT_LT(names[0].size(), 100U);
+  EXPECT_EQ(names[1], "variant 2, one seed");
+  EXPECT_EQ(names[2], "variant 3");
+}
+
 TEST_F(ComparisonPictures, LookLikeTheirReference) {
   expect_like_reference(compose_comparison(maps(4), kTitle).image, "comparison.png");
 }

@@ -66,6 +66,18 @@ TEST_F(CalibrationReport, TellsThePowderTheDataAndWhatTheyCannotTell) {
   EXPECT_EQ(page.find("<script"), std::string::npos);
 }
 
+TEST_F(CalibrationReport, MarksTheBestPowderAndTheEdgeOfThoseThatAgreeOnMaps) {
+  results::Calibration marked = account();
+  results::Field2D map{"misfit", "powder.friction", "1",          "log10 of work_of_adhesion",
+                       "J/m^2",  {0.1, 0.4, 1},     {-3, -2, -1}, {3, 2, 3, 2, 0.9, 2, 3, 2, 3}};
+  marked.maps = {map};
+  const std::string without = html_page(calibration_document(marked));
+  marked.map_edge = 1.4;
+  const std::string with = html_page(calibration_document(marked));
+  EXPECT_NE(with, without);
+  EXPECT_NE(with.find("powder.friction and log10 of work_of_adhesion"), std::string::npos);
+}
+
 TEST_F(CalibrationReport, SaysWhereNoPowderWasFound) {
   results::Calibration nothing;
   nothing.title = "Plant powder";

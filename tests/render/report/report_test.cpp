@@ -192,7 +192,7 @@ TEST(Strategies, OtherToolsOrSettingsMakeAnotherStrategyAndNoSeries) {
 }
 
 TEST(Strategies, CommentsAreNoDifferenceButMarksWithinQuotesAre) {
-  EXPECT_EQ(telling_lines("# all\nseed = 3\n a = \"x # y\"  # z\n\ntitle = \"t\"\nseeds = 1\n"),
+  EXPECT_EQ(effective_lines("# all\nseed = 3\n a = \"x # y\"  # z\n\ntitle = \"t\"\nseeds = 1\n"),
             (std::vector<std::string>{"a = \"x # y\"", "seeds = 1"}));
 }
 
@@ -256,11 +256,11 @@ TEST_F(ReportDrawing, SeveralRunsAreRankedByFillRatioWithTheCriticalSpeed) {
   const std::vector<report::Run> runs = {run_at("fast", 0.4, 0.5), run_at("slow", 0.2, 1.0 / std::sqrt(2.0))};
   const auto sections = comparison_sections(strategies_of(runs));
   EXPECT_EQ(ranking_of(runs).rows.front().front(), runs[1].result.strategy);
-  bool told = false;
+  bool reported = false;
   for (const auto& section : sections)
     if (section.title == "Critical shoe speed")
-      told = std::get<Paragraph>(section.blocks.front()).text.find("v_c = 0.1 m/s") != std::string::npos;
-  EXPECT_TRUE(told);
+      reported = std::get<Paragraph>(section.blocks.front()).text.find("v_c = 0.1 m/s") != std::string::npos;
+  EXPECT_TRUE(reported);
 }
 
 TEST_F(ReportDrawing, PdfIsAPdfWithItsText) {

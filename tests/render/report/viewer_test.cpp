@@ -131,7 +131,7 @@ TEST_F(ViewDrawing, LeavesOutInstantsWhereTheDataWouldBeTooLarge) {
   EXPECT_NE(small.description.indexOf("4 of 8 kept instants"), -1);
   EXPECT_EQ(whole.description.indexOf("kept instants"), -1);
   const auto five = view_of({run, run, run, run, run}, {0.3, 0.4}, 4'000'000);
-  EXPECT_EQ(five.data.size(), kMostViewedRuns);
+  EXPECT_EQ(five.data.size(), kMaxViewedRuns);
   EXPECT_NE(five.remark.find("4 of 5"), std::string::npos);
 }
 

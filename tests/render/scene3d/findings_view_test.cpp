@@ -47,6 +47,32 @@ TEST_F(FindingsView, ManyFindingsStayOnThePage) {
   EXPECT_EQ(picture.marks.size(), 40U);
 }
 
+void expect_apart_within(const std::vector<QRectF>& rooms, const QRectF& area) {
+  for (std::size_t a = 0; a < rooms.size(); ++a) {
+    EXPECT_TRUE(area.contains(rooms[a])) << a;
+    for (std::size_t b = 0; b < a; ++b) EXPECT_FALSE(rooms[a].intersects(rooms[b])) << a << ' ' << b;
+  }
+}
+
+TEST_F(FindingsView, NumbersAndLegendKeepApartAndOnThePicture) {
+  // All in one corner, and in the outermost places of the part.
+  std::vector<FindingMark> findings;
+  for (int k = 0; k < 8; ++k)
+    findings.push_back({MarkKind::kCare,
+                        "die: triangle " + std::to_string(k) + " has no area, and more words",
+                        {{1e-5 * k, 0, 0.03}}});
+  findings.push_back({MarkKind::kFault, "at the right", {{0.01, 0.02, 0}}});
+  findings.push_back({MarkKind::kFault, std::string(80, 'w'), {{0.01, 0.02, 0.03}}});
+  const auto picture = compose_findings({box({0, 0, 0}, {0.01, 0.02, 0.03})}, findings, "Close together");
+  keep(picture.image, "findings_close.png");
+  ASSERT_EQ(picture.numbers.size(), 10U);
+  ASSERT_EQ(picture.legend.size(), 10U);
+  expect_apart_within(picture.numbers, QRectF(picture.image.rect()));
+  expect_apart_within(picture.legend, QRectF(picture.image.rect()));
+  for (const QRectF& number : picture.numbers)
+    for (const QRectF& line : picture.legend) EXPECT_FALSE(number.intersects(line));
+}
+
 TEST_F(FindingsView, FileIsWrittenWhole) {
   draw_findings(file("findings.png"), {box({0, 0, 0}, {1, 1, 1})}, {}, "Nothing found");
   EXPECT_EQ(contents(file("findings.png")).substr(1, 3), "PNG");

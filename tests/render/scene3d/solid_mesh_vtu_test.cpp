@@ -57,5 +57,19 @@ TEST(SolidMeshVtu, BadFilesAreRefusedWithTheReason) {
   }
 }
 
+TEST(SolidMeshVtu, MorePointsThanTheFileCanHoldAreRefusedInOneLine) {
+  const support::TemporaryFolder folder;
+  const auto file = folder.path() / "a.vtu";
+  write_vtu(file, two_tetrahedra(), {}, {});
+  std::string text = support::contents(file);
+  const std::string points = "NumberOfPoints=\"5\"";
+  ASSERT_NE(text.find(points), std::string::npos);
+  folder.write("a.vtu", text.replace(text.find(points), points.size(), "NumberOfPoints=\"99999999999\""));
+  testing::internal::CaptureStderr();
+  const std::string message = refusal(file);
+  EXPECT_EQ(message.find("announces NumberOfPoints=\"99999999999\", more than its "), 0U) << message;
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 }  // namespace
 }  // namespace diefill::render

@@ -92,7 +92,7 @@ double slow_area(const SeedResults& seed, const std::string& run, double half_wi
 /// Standard deviation of the speed over that of the shoe among cells of 2 d, farther than 1.5 slits from the
 /// slit.
 double unevenness(const SeedResults& seed, const std::string& run, double half_width) {
-  constexpr double kFewest = 10;  // grains in a cell
+  constexpr double kMin = 10;  // grains in a cell
   const double cell = 2 * diameter(seed, run);
   std::map<std::pair<long, long>, std::pair<double, double>> cells;
   for (const Passing& grain : passing_grains(seed, run, kFast)) {
@@ -103,7 +103,7 @@ double unevenness(const SeedResults& seed, const std::string& run, double half_w
   }
   double sum = 0, squares = 0, count = 0;
   for (const auto& [place, of] : cells) {
-    if (of.second < kFewest) continue;
+    if (of.second < kMin) continue;
     const double mean = of.first / of.second;
     sum += mean, squares += mean * mean, ++count;
   }

@@ -7,6 +7,7 @@
 
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/experiments.h"
+#include "process/powder/empty_annulus.h"
 #include "process/results/figure_table.h"
 
 namespace diefill::process::laboratory {
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double kSpeed = 0.18;  // m/s
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kPublishedOffset = 1.4;
 
 /// A case of Table C.3.
 struct Case {
@@ -116,7 +116,7 @@ std::vector<results::ExperimentSeries> series_of_sizes(const Points& points) {
   for (std::size_t k = 0; k < points.rate.size(); ++k) {
     const std::string name = "d = " + plain(std::round(1e6 * points.diameter[k]) / 1e3) + " mm";
     if (series.empty() || series.back().name != name) series.push_back({.name = name, .x = {}, .y = {}});
-    series.back().x.push_back(1e3 * (points.width[k] - kPublishedOffset * points.diameter[k]));
+    series.back().x.push_back(1e3 * (points.width[k] - kEmptyAnnulus * points.diameter[k]));
     series.back().y.push_back(1e6 * points.rate[k]);
   }
   return series;
@@ -167,7 +167,7 @@ results::ExperimentChart chart_of(const LabSetting& setting, const Case& one, co
 double coarse_over_fine(const SeedResults& seed, const LabSetting& setting, const Case& one) {
   const Points points = points_of(seed, setting, one);
   const auto constant = [&](std::size_t k) {
-    return points.rate[k] / std::pow(points.width[k] - kPublishedOffset * points.diameter[k], 1.5);
+    return points.rate[k] / std::pow(points.width[k] - kEmptyAnnulus * points.diameter[k], 1.5);
   };
   return constant(points.rate.size() - 1) / constant(0);
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "process/continuum/discharge.h"
+#include "process/powder/empty_annulus.h"
 #include "process/results/figure_table.h"
 #include "process/results/storage/result_file.h"
 
@@ -53,7 +54,7 @@ double time_over_slit(const SlitPassage& passage, double way) {
 }
 
 double adjusted_slit(double width, const LabPowder& powder) {
-  return width + 1.4 * (powder.size - powder.own_size);
+  return width + kEmptyAnnulus * (powder.size - powder.own_size);
 }
 
 SceneChanges slit_changes(const LabSetting& setting, const LabPowder& powder, const SlitPassage& passage) {

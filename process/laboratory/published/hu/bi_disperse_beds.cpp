@@ -30,7 +30,7 @@ std::string name_of(double friction, int method, double enlargement) {
   return "mu_r = " + plain(friction) + ", method " + std::to_string(method) + ", l = " + plain(enlargement);
 }
 
-InsertedBed bed_of(const std::string& name, const StickySpheres& spheres, LabSize size) {
+InsertedBed bed_of(const std::string& name, const CohesiveSpheres& spheres, LabSize size) {
   InsertedBed bed{name, spheres, {0.028, 0.026, 0.240, 0.520, 59.6e-3, 10, 2}};
   if (size != LabSize::coarse) return bed;
   bed.insertion = of_width(bed.insertion, kNarrowest * 1e-3 * spheres.enlargement);
@@ -39,8 +39,8 @@ InsertedBed bed_of(const std::string& name, const StickySpheres& spheres, LabSiz
 }
 
 /// Eight small spheres weigh as much as a large one.
-StickySpheres mixture(double friction, int method, double enlargement) {
-  StickySpheres spheres;
+CohesiveSpheres mixture(double friction, int method, double enlargement) {
+  CohesiveSpheres spheres;
   spheres.sizes = {{5e-4, 8}, {1e-3, 1}};
   spheres.enlargement = enlargement;
   spheres.method = method;
@@ -110,13 +110,13 @@ void add_quantities(const Sizes& sizes, LabPlan& plan) {
 LabPlan plan_bi_disperse_beds(const LabSetting& setting) {
   const Sizes sizes = sizes_of(setting.size);
   LabPlan plan;
-  const auto add = [&](const std::string& name, const StickySpheres& spheres) {
+  const auto add = [&](const std::string& name, const CohesiveSpheres& spheres) {
     plan.runs.push_back(run_of(bed_of(name, spheres, setting.size)));
   };
   for (const double friction : {0.0, 0.8})
     add(name_of(friction, 1, sizes.reference), mixture(friction, 1, sizes.reference));
   add(name_of(0, 1, sizes.enlarged), mixture(0, 1, sizes.enlarged));
-  StickySpheres alone;
+  CohesiveSpheres alone;
   alone.enlargement = sizes.reference;
   add(kAlone, alone);
   add_quantities(sizes, plan);

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/hu/heap_shadow.h"
+#include "process/laboratory/published/hu/heap_projection.h"
 #include "process/laboratory/published/hu/inserted_bed.h"
 #include "process/laboratory/published/lab_powder.h"
 
@@ -40,14 +40,14 @@ std::string name_of(const Case& one) {
 }
 
 LabRun heap_of(const Case& one) {
-  StickySpheres spheres;
+  CohesiveSpheres spheres;
   spheres.enlargement = one.enlargement;
   spheres.method = one.method;
   spheres.surface_energy = 0.05;
   spheres.rolling = one.friction > 0 ? "EPSD2" : "none";
   spheres.rolling_friction = one.friction;
   spheres.sizes = {{kDiameter, 1}};
-  LabRun run{name_of(one), "heap.toml", {sticky_lines(spheres), {}}};
+  LabRun run{name_of(one), "heap.toml", {cohesive_lines(spheres), {}}};
   const double entering = (1 - kPouredShare) * kMass;
   run.changes.set += line("step.insert.mass", '"' + plain(entering) + " kg\"");
   run.changes.set += line("step.insert.rate", '"' + plain(entering / kTime) + " kg/s\"");

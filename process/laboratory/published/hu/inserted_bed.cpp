@@ -35,8 +35,8 @@ LabRun run_of(const InsertedBed& bed) {
   const Insertion& in = bed.insertion;
   const double half = 0.5 * in.width, region = 0.5 * in.region, area = in.width * in.width;
   const double poured = kPouredShare * in.mass, entering = in.mass - poured;
-  const double depth = poured / (area * kStickyDensity * kPouredFraction);
-  LabRun run{bed.name, "sticky_bed.toml", {sticky_lines(bed.spheres), {}}};
+  const double depth = poured / (area * kCohesiveDensity * kPouredFraction);
+  LabRun run{bed.name, "sticky_bed.toml", {cohesive_lines(bed.spheres), {}}};
   std::string& set = run.changes.set;
   if (bed.spheres.sizes.size() > 1) run.changes.without.emplace_back("powder.grain_diameter");
   const double box = std::max(depth, 1.5 * largest_diameter(bed.spheres));
@@ -59,7 +59,7 @@ LabRun run_of(const InsertedBed& bed) {
 
 BedFigures figures_of(const SeedResults& seed, const std::string& run, double from, double to) {
   const results::PowderState& powder = seed.at(run, kBed).powder;
-  return {kStickyDensity * fraction_between(powder, from, to), contacts_between(powder, from, to),
+  return {kCohesiveDensity * fraction_between(powder, from, to), contacts_between(powder, from, to),
           top_of(powder), kinetic_energy_over_weight(powder)};
 }
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "process/laboratory/published/hu/sticky_spheres.h"
+#include "process/laboratory/published/hu/cohesive_spheres.h"
 #include "process/laboratory/published/scene_experiment.h"
 
 namespace diefill::process::laboratory {
@@ -23,7 +23,7 @@ Insertion of_width(Insertion insertion, double width);
 
 struct InsertedBed {
   std::string name;  ///< of the run
-  StickySpheres spheres;
+  CohesiveSpheres spheres;
   Insertion insertion;
 };
 

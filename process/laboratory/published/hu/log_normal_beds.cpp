@@ -16,15 +16,15 @@
 namespace diefill::process::laboratory {
 namespace {
 
-constexpr double kLow = 0.020, kHigh = 0.060;    // m, of the window
-constexpr double kMean = 1e-3;                   // m, original
-constexpr double kFewest = 0.01, kMost = 0.999;  // percentiles kept
+constexpr double kLow = 0.020, kHigh = 0.060;  // m, of the window
+constexpr double kMean = 1e-3;                 // m, original
+constexpr double kMin = 0.01, kMax = 0.999;    // percentiles kept
 constexpr std::size_t kClasses = 24;
 constexpr double kNarrowest = 5.6, kOfLargest = 4.02;  // mean and largest diameters
 /// Of the comparison of enlarged spheres of the widest sizes: the largest percentile kept, and m, below which
 /// spheres come in. With those above, small spheres are pressed into each other between large ones that fall
 /// a metre beyond what the method allows (0.78 R at l = 8).
-constexpr double kMostCompared = 0.99, kHighest = 0.52;
+constexpr double kMaxCompared = 0.99, kHighest = 0.52;
 constexpr double kStrong = 0.2, kWeak = 0.02;  // J/m^2
 
 /// One bed.
@@ -43,14 +43,14 @@ std::vector<SphereClass> classes_of(double variation, double most) {
   const auto whole = Sizes::log_normal_of_mean(kMean, variation * kMean);
   const auto kept = Sizes::log_normal_of_mean(
       kMean, variation * kMean,
-      {whole.quantile(kFewest, engine::SizeBasis::number), whole.quantile(most, engine::SizeBasis::number)});
+      {whole.quantile(kMin, engine::SizeBasis::number), whole.quantile(most, engine::SizeBasis::number)});
   std::vector<SphereClass> classes;
   for (const auto& one : engine::size_classes(kept, kClasses))
     classes.push_back({one.diameter, one.number_share});
   return classes;
 }
 
-InsertedBed bed_of(const Case& one, double most = kMost) {
+InsertedBed bed_of(const Case& one, double most = kMax) {
   const double l = one.enlargement;
   InsertedBed bed{name_of(one), {}, {0.056 * l, 0.052 * l, 0.025, 1.015, 0.18 * l * l, 0, 1.05}};
   bed.spheres.enlargement = l;
@@ -205,7 +205,7 @@ LabPlan plan_log_normal_scaling(const LabSetting& setting) {
   LabPlan plan;
   for (const double l : coarse ? std::vector<double>{8, 4, 2} : std::vector<double>{4, 2, 1}) {
     const Case one{0.8, kWeak, l};
-    InsertedBed bed = bed_of(one, kMostCompared);
+    InsertedBed bed = bed_of(one, kMaxCompared);
     bed.insertion.to = kHighest;
     plan.runs.push_back(run_of(bed));
     plan.quantities.push_back(own_figure(name_of(one), "contacts", "1", kLow, kHigh, &BedFigures::contacts));

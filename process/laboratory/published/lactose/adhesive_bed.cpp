@@ -15,7 +15,8 @@ constexpr double kReferenceOverlap = 0.01;          // over r
 constexpr double kWallRatio = 30;                   // k_1 of walls over that of grains
 constexpr double kWallFriction = 0.2;
 constexpr double kSmallestGap = 5e-9, kLargestGap = 1e-6;  // m
-constexpr double kLattice = 1.6, kLoose = 0.5;             // d; solid fraction that `fill` is told with
+constexpr double kLattice = 1.6, kLoose = 0.5;             // d; solid fraction that `fill` is computed with
+constexpr double kKept = 0.8;                              // share of the spheres that the cut leaves
 constexpr double kAir = 1.8e-5;                            // Pa s
 /// Spheres fly, then stick, for this long; they fall for as long as the lattice is high, and half as long.
 constexpr double kFly = 3, kFall = 1.5;          // sqrt(d / g); over the time of falling
@@ -40,9 +41,14 @@ std::string seconds(double value) {
   return with_unit(value, "s");
 }
 
+/// d, of the powder that is poured, of which the cut takes the top.
+double poured(const AdhesiveBed& bed) {
+  return bed.fill / kKept;
+}
+
 /// d, of the lattice that the spheres begin in, in whole layers.
 double lattice_height(const AdhesiveBed& bed) {
-  const double grains = bed.width * bed.width * bed.fill * kLoose * 6 / std::numbers::pi;
+  const double grains = bed.width * bed.width * poured(bed) * kLoose * 6 / std::numbers::pi;
   const double across = std::floor(bed.width / kLattice);
   return std::ceil(grains / (across * across)) * kLattice;
 }
@@ -59,6 +65,7 @@ std::string step_lines(const AdhesivePowder& powder, const AdhesiveBed& bed) {
   if (bed.packing == Packing::slow)
     fall = std::max(fall, height * d * 18 * kAir / (kDensity * kGravity * d * d));
   set += line("step.fall.duration", seconds(kFall * fall));
+  set += line("step.cut.lowest", plain(kKept));
   return set;
 }
 
@@ -131,8 +138,8 @@ std::string packed_bed_lines(const AdhesivePowder& powder, const AdhesiveBed& be
   const double d = powder.diameter(), half = 0.5 * bed.width * d;
   std::string set = powder_lines(powder, bed.packing) + step_lines(powder, bed);
   set += line("pour.from", point_in_millimetres(-half, -half, 0));
-  set += line("pour.to", point_in_millimetres(half, half, bed.fill * d));
-  set += line("pour.fill_height", millimetres(bed.fill * d));
+  set += line("pour.to", point_in_millimetres(half, half, poured(bed) * d));
+  set += line("pour.fill_height", millimetres(poured(bed) * d));
   set += line("pour.solid_fraction", plain(kLoose));
   set += line("pour.lattice_constant", plain(kLattice));
   set += line("tool.plate.position", point_in_millimetres(0, 0, plate_height(bed) * d + kBlock));

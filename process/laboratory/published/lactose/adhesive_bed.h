@@ -51,7 +51,7 @@ std::string powder_lines(const AdhesivePowder& powder, Packing packing);
 /// Friction of that powder with this coefficient, as `contact` has it.
 std::string friction_part(const AdhesivePowder& powder, double friction);
 
-/// A bed, in grain diameters.
+/// A bed, in grain diameters: its width, and its depth once it is cut flat, at a solid fraction of 0.5.
 struct AdhesiveBed {
   double width = 6, fill = 10;
   Packing packing = Packing::clusters;

@@ -1,6 +1,6 @@
 // Confined compression in five cycles and tension of the calibrated lactoses (Kottlan 2018, sections 2.7.2
-// and 2.7.3). Beds are periodic in x and y in place of the cylinder, of spheres of one size, and not cut.
-// Coarse: 8 d wide, 15 d of powder; medium: 10 d and 20 d; published: 16 d and 20 d.
+// and 2.7.3). Beds are periodic in x and y in place of the cylinder, of spheres of one size, and cut flat.
+// Coarse: 6 d wide, 10 d of powder; medium: 8 d and 15 d; published: 16 d and 20 d.
 #include <algorithm>
 #include <limits>
 
@@ -109,8 +109,8 @@ results::ExperimentChart pull_chart(const std::vector<Lactose>& all, const SeedR
     if (!seed.has(one.bed.name)) continue;
     const PullCurve curve = pull_curve(seed, one.bed);
     results::ExperimentSeries series = empty_series(one);
-    for (std::size_t k = 0; k < curve.way.size(); ++k) {
-      series.x.push_back((curve.way[k] - curve.way.front()) / one.bed.powder.diameter());
+    for (std::size_t k = 0; k < curve.travel.size(); ++k) {
+      series.x.push_back((curve.travel[k] - curve.travel.front()) / one.bed.powder.diameter());
       series.y.push_back(1e-3 * curve.pull[k] / one.bed.area());
     }
     chart.series.push_back(std::move(series));

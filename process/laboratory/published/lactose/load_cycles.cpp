@@ -52,10 +52,10 @@ Stiffness stiffness_of(const LoadCurve& curve, const LoadCycle& loads) {
 }
 
 Tension tension_of(const PullCurve& curve) {
-  constexpr std::size_t kLeast = 20;
+  constexpr std::size_t kMin = 20;
   const auto rows = curve.pull.size();
-  if (rows < kLeast) return {};
-  const auto last = static_cast<std::ptrdiff_t>(rows / kLeast);
+  if (rows < kMin) return {};
+  const auto last = static_cast<std::ptrdiff_t>(rows / kMin);
   const double weight =
       std::accumulate(curve.pull.end() - last, curve.pull.end(), 0.0) / static_cast<double>(last);
   const auto peak = std::max_element(curve.pull.begin(), curve.pull.end());
@@ -63,7 +63,9 @@ Tension tension_of(const PullCurve& curve) {
   tension.strength = *peak - weight;
   auto end = curve.pull.end();
   while (end != peak && *(end - 1) - weight < 0.1 * tension.strength) --end;
-  const auto place = [&](auto row) { return curve.way[static_cast<std::size_t>(row - curve.pull.begin())]; };
+  const auto place = [&](auto row) {
+    return curve.travel[static_cast<std::size_t>(row - curve.pull.begin())];
+  };
   if (end != curve.pull.end()) tension.fracture = place(end) - place(peak);
   return tension;
 }

@@ -28,9 +28,9 @@ struct Stiffness {
 /// Means over the cycles (Eqs. 31 to 33), strain over h_1. Loads count as reached within 1 %.
 Stiffness stiffness_of(const LoadCurve& curve, const LoadCycle& loads);
 
-/// A plate that is pulled off: its way (m) and the pull of the bed on it (N), in order of time.
+/// A plate that is pulled off: its travel (m) and the pull of the bed on it (N), in order of time.
 struct PullCurve {
-  std::vector<double> way, pull;
+  std::vector<double> travel, pull;
 };
 
 /// What the curve says; NaN where it has fewer than 20 rows.

@@ -51,7 +51,7 @@ PullCurve pull_curve(const SeedResults& seed, const PressedBed& bed) {
   PullCurve curve;
   for (std::size_t k = 0; k < force.time.size(); ++k) {
     if (force.time[k] < from || force.time[k] > to) continue;
-    curve.way.push_back(shift.value[k]);
+    curve.travel.push_back(shift.value[k]);
     curve.pull.push_back(-force.value[k]);
   }
   return curve;

@@ -12,7 +12,7 @@ namespace diefill::process::laboratory {
 namespace {
 
 constexpr double kLattice = 1.12, kOffset = 0.06;  // d
-constexpr double kLoose = 0.5;                     // solid fraction that `fill_height` is told with
+constexpr double kLoose = 0.5;                     // solid fraction that `fill_height` is computed with
 constexpr double kClear = 3;                       // d, least height of the tool over the floor, about
 /// Share of the lattice's places over the cell's box that lie clear of its wall.
 constexpr double kInside = 0.6;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kGravity = 9.81;
 constexpr double kDepth = 1.2;                   // over the slot's width, of loose powder in the hopper
-constexpr double kLattice = 1.12, kLoose = 0.5;  // d; solid fraction that `fill_height` is told with
+constexpr double kLattice = 1.12, kLoose = 0.5;  // d; solid fraction that `fill_height` is computed with
 constexpr double kSolid = 0.3;                   // of the powder over the gate, about
 constexpr double kFall = 2;                      // over the time of falling from the lattice's middle
 

@@ -5,12 +5,12 @@
 #include "process/laboratory/published/sawing/fluid_bytes.h"
 #include "process/laboratory/published/sawing/groove_film.h"
 #include "process/laboratory/published/sawing/groove_measures.h"
-#include "process/laboratory/published/sawing/kept_figures.h"
+#include "process/laboratory/published/sawing/sawing_json.h"
 
 namespace diefill::process::laboratory::sawing {
 namespace {
 
-constexpr int kBetweenLooks = 20;  // steps
+constexpr int kReportInterval = 20;  // steps
 
 engine::FluidSettings settings_of(const GrooveCase& one, std::uint64_t seed) {
   engine::FluidSettings settings;
@@ -52,7 +52,7 @@ class Sawing {
     parts_.slurry = fill(space_of(one), mixture_of(one), seed, simulation_);
   }
 
-  GrooveFigures run(OwnRunWatch& watch) {
+  GrooveFigures run(CustomRunWatch& watch) {
     if (!watch.begun().empty()) restore(watch.begun());
     GrooveMeasures measures(case_, parts_, sums_);
     const int all = case_.settling + case_.sampled;
@@ -62,7 +62,7 @@ class Sawing {
       if (k > case_.settling) measures.sample(simulation_, k - case_.settling);
       if (case_.instants > 0 && k % std::max(1, all / case_.instants) == 0)
         instants_.push_back(instant_of(simulation_, parts_));
-      if (k % kBetweenLooks == 0) watch.look(static_cast<double>(k) / all, [&] { return state(); });
+      if (k % kReportInterval == 0) watch.report(static_cast<double>(k) / all, [&] { return state(); });
     }
     measures.conclude(simulation_);
     if (case_.instants > 0) write_film(watch.folder(), {case_, parts_, simulation_, seed_}, instants_);
@@ -126,7 +126,7 @@ double work_of(const GrooveCase& one) {
   return (space.volume * slurry + kWalls * surface * one.length) * (one.settling + one.sampled);
 }
 
-GrooveFigures saw(const GrooveCase& one, std::uint64_t seed, OwnRunWatch& watch) {
+GrooveFigures saw(const GrooveCase& one, std::uint64_t seed, CustomRunWatch& watch) {
   return Sawing(one, seed).run(watch);
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "process/laboratory/published/own_run.h"
+#include "process/laboratory/published/custom_run.h"
 #include "process/laboratory/published/sawing/slurry.h"
 
 namespace diefill::process::laboratory::sawing {
@@ -65,7 +65,7 @@ std::string settings_text(const GrooveCase& one);
 /// Particle steps, about.
 double work_of(const GrooveCase& one);
 
-/// Runs it; a film of the grains (groove_film.h) goes to the watch's folder. Throws OwnRunStopped.
-GrooveFigures saw(const GrooveCase& one, std::uint64_t seed, OwnRunWatch& watch);
+/// Runs it; a film of the grains (groove_film.h) goes to the watch's folder. Throws CustomRunStopped.
+GrooveFigures saw(const GrooveCase& one, std::uint64_t seed, CustomRunWatch& watch);
 
 }  // namespace diefill::process::laboratory::sawing

@@ -11,9 +11,9 @@ namespace {
 
 using engine::FluidSimulation;
 
-constexpr double kMostStretch = 2;  // r_c, of the groove's surface
-constexpr int kEvery = 5;           // steps between samples
-constexpr int kGrainWindow = 100;   // steps over which the stress in a grain is taken
+constexpr double kMaxStretch = 2;  // r_c, of the groove's surface
+constexpr int kEvery = 5;          // steps between samples
+constexpr int kGrainWindow = 100;  // steps over which the stress in a grain is taken
 
 }  // namespace
 
@@ -21,7 +21,7 @@ GrooveMeasures::GrooveMeasures(const GrooveCase& one, const GrooveParts& parts, 
     : case_(one), parts_(parts), sums_(sums) {
   if (!sums.figures.stress.empty()) return;
   const double half = one.groove_radius * 0.5 * std::numbers::pi + one.top;
-  const int count = 2 * static_cast<int>(std::ceil(half / kMostStretch));
+  const int count = 2 * static_cast<int>(std::ceil(half / kMaxStretch));
   for (int k = 0; k < count; ++k)
     sums.figures.stress.push_back({half * (2 * (k + 0.5) / count - 1), 2 * half / count, 0});
 }

@@ -49,8 +49,8 @@ class OccupiedPlaces {
  private:
   static Eigen::Vector3i cell(const Eigen::Vector3d& place) { return place.array().floor().cast<int>(); }
   static std::int64_t key(const Eigen::Vector3i& cell) {
-    constexpr std::int64_t kMost = 1 << 20;
-    return (cell.x() * kMost + cell.y()) * kMost + cell.z();
+    constexpr std::int64_t kMax = 1 << 20;
+    return (cell.x() * kMax + cell.y()) * kMax + cell.z();
   }
   Eigen::Vector3d between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
     Eigen::Vector3d way = a - b;

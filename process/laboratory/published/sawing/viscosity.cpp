@@ -5,12 +5,12 @@
 
 #include "engine/fluid/fluid_figures.h"
 #include "process/laboratory/published/sawing/fluid_bytes.h"
-#include "process/laboratory/published/sawing/kept_figures.h"
+#include "process/laboratory/published/sawing/sawing_json.h"
 
 namespace diefill::process::laboratory::sawing {
 namespace {
 
-constexpr int kParts = 10, kBetweenLooks = 20;
+constexpr int kParts = 10, kReportInterval = 20;
 
 /// Mean, and standard deviation of it.
 struct Estimate {
@@ -51,13 +51,13 @@ class Shearing {
     solids_ = fill(space, {.solids = slurry.solids, .density = slurry.density}, seed, simulation_).solids;
   }
 
-  ShearedFigures run(OwnRunWatch& watch) {
+  ShearedFigures run(CustomRunWatch& watch) {
     if (!watch.begun().empty()) restore(watch.begun());
     const int all = slurry_.settling + kParts * (slurry_.sampled / kParts);
     for (int k = static_cast<int>(simulation_.state().step) + 1; k <= all; ++k) {
       simulation_.step();
       if (k > slurry_.settling) sample(k - slurry_.settling - 1);
-      if (k % kBetweenLooks == 0) watch.look(static_cast<double>(k) / all, [&] { return state(); });
+      if (k % kReportInterval == 0) watch.report(static_cast<double>(k) / all, [&] { return state(); });
     }
     const Estimate all_parts = estimate(sums_.viscosity);
     return {all_parts.mean,      sums_.temperature, sums_.pressure,
@@ -99,11 +99,11 @@ class Shearing {
 };
 
 /// Of a run that nobody follows.
-class Unwatched final : public OwnRunWatch {
+class Unwatched final : public CustomRunWatch {
  public:
   const std::filesystem::path& folder() const override { return folder_; }
   const std::string& begun() const override { return begun_; }
-  void look(double, const std::function<std::string()>&) override {}
+  void report(double, const std::function<std::string()>&) override {}
 
  private:
   std::filesystem::path folder_;
@@ -129,7 +129,7 @@ double work_of(const ShearedSlurry& slurry) {
   return density * std::pow(slurry.edge, 3) * (slurry.settling + slurry.sampled);
 }
 
-ShearedFigures measure(const ShearedSlurry& slurry, std::uint64_t seed, OwnRunWatch& watch) {
+ShearedFigures measure(const ShearedSlurry& slurry, std::uint64_t seed, CustomRunWatch& watch) {
   return Shearing(slurry, seed).run(watch);
 }
 

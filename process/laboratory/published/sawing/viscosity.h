@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "process/laboratory/published/own_run.h"
+#include "process/laboratory/published/custom_run.h"
 #include "process/laboratory/published/sawing/slurry.h"
 
 namespace diefill::process::laboratory::sawing {
@@ -31,8 +31,8 @@ std::string settings_text(const ShearedSlurry& slurry);
 /// Particle steps, about.
 double work_of(const ShearedSlurry& slurry);
 
-/// Throws OwnRunStopped.
-ShearedFigures measure(const ShearedSlurry& slurry, std::uint64_t seed, OwnRunWatch& watch);
+/// Throws CustomRunStopped.
+ShearedFigures measure(const ShearedSlurry& slurry, std::uint64_t seed, CustomRunWatch& watch);
 /// The same, unwatched.
 ShearedFigures measure(const ShearedSlurry& slurry, std::uint64_t seed);
 

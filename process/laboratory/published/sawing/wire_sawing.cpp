@@ -8,7 +8,7 @@
 #include "process/laboratory/published/lab_powder.h"
 #include "process/laboratory/published/sawing/groove.h"
 #include "process/laboratory/published/sawing/groove_charts.h"
-#include "process/laboratory/published/sawing/kept_figures.h"
+#include "process/laboratory/published/sawing/sawing_json.h"
 #include "process/laboratory/published/sawing/viscosity.h"
 
 namespace diefill::process::laboratory {
@@ -52,8 +52,8 @@ struct RunsAtRates {
 };
 
 template <class Case>
-OwnRun own_run(const std::string& name, const Case& one) {
-  return {name, settings_text(one), work_of(one), [one](std::uint64_t seed, OwnRunWatch& watch) {
+CustomRun custom_run(const std::string& name, const Case& one) {
+  return {name, settings_text(one), work_of(one), [one](std::uint64_t seed, CustomRunWatch& watch) {
             if constexpr (std::is_same_v<Case, GrooveCase>)
               return text_of(saw(one, seed, watch));
             else
@@ -84,7 +84,7 @@ RunsAtRates add_sheared(const std::string& kind, const std::vector<double>& rate
   RunsAtRates added{rates, {}};
   for (const double rate : rates) {
     added.names.push_back("sheared_" + kind + '_' + plain(rate));
-    plan.own_runs.push_back(own_run(added.names.back(), slurry(rate, extent)));
+    plan.custom_runs.push_back(custom_run(added.names.back(), slurry(rate, extent)));
   }
   return added;
 }
@@ -157,10 +157,10 @@ struct SawingRuns {
     slurry = add_sheared("slurry", {std::begin(kSlurryRates), std::end(kSlurryRates)}, extent, sheared_slurry,
                          plan);
     const ShearedSlurry at_rest{.edge = extent.fluid_edge, .rate = 0, .sampled = steps(2000, extent)};
-    plan.own_runs.push_back(own_run(kAtRest, at_rest));
-    plan.own_runs.push_back(own_run(kDrag, drag(extent)));
+    plan.custom_runs.push_back(custom_run(kAtRest, at_rest));
+    plan.custom_runs.push_back(custom_run(kDrag, drag(extent)));
     for (std::size_t k = 0; k < std::size(kCases); ++k)
-      plan.own_runs.push_back(own_run(groove_name(k), sawing_case(k, extent)));
+      plan.custom_runs.push_back(custom_run(groove_name(k), sawing_case(k, extent)));
   }
   RunsAtRates fluid, slurry;
 };

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <set>
 
-#include "process/continuum/discharge.h"
 #include "process/scene/powder_presets.h"
 
 namespace diefill::process::laboratory {
@@ -82,21 +81,6 @@ TEST(HopperFigures, StraightLinesHaveNoBendAndThoseOfTheKinematicModelDo) {
     for (int c = 0; c < made.grid.columns; ++c)
       wedge.push_back(std::abs(made.grid.x(c)) - 5 * kMm - 0.3 * row * made.grid.spacing_z() - 0.1);
   EXPECT_LT(bend_of_isoline(made.grid, wedge, -0.1, 1.5 * kMm, kSlit), 1e-9);
-}
-
-TEST(HopperFigures, EquationOfTheStartingFlowComesBack) {
-  HopperStudy all = study();
-  const continuum::SlitFlow slit{1, kSlit, 1, 9.81};
-  for (double time = 5e-4; time < 0.3; time += 5e-4) {
-    all.fields[0].time.push_back(time);
-    all.fields[0].discharged.push_back(
-        continuum::discharged_mass(continuum::kSimulatedDischarge, slit, time));
-  }
-  const auto figures = hopper_figures(all);
-  EXPECT_NEAR(value_of(figures, "E01"), 0.05, 1e-3);
-  EXPECT_NEAR(value_of(figures, "E02"), 0.39, 1e-2);
-  EXPECT_NEAR(value_of(figures, "E03"), 0.92, 1e-2);
-  EXPECT_NEAR(value_of(figures, "E04"), 1.4, 0.05);
 }
 
 }  // namespace

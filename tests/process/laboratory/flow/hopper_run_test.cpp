@@ -17,15 +17,15 @@ TEST(Hopper, LetsPowderOutThroughItsSlitAlone) {
   setup.powder = powder_preset("ASC100.29 initial D");
   setup.powder.friction = 0.5;
   setup.powder.grain_diameter = 4 * kMm;
-  setup.slit = setup.felt_slit = 18 * kMm;
+  setup.slit = setup.equivalent_slit = 18 * kMm;
   setup.width = 32 * kMm;
   setup.depth = 16 * kMm;
   setup.fill = 44 * kMm;
   setup.from = 44 * kMm;
   setup.to = 24 * kMm;
-  double told = 0;
-  const auto fields = run_hopper(setup, [&](double share) { told = share; });
-  EXPECT_GT(told, 0.9);
+  double done = 0;
+  const auto fields = run_hopper(setup, [&](double share) { done = share; });
+  EXPECT_GT(done, 0.9);
   // Powder that got out sideways would leave a bed too thin.
   EXPECT_NEAR(fields.bulk_fraction, 0.37, 0.04);
   const double shut_in = static_cast<double>(fields.grains) * 7 * 4 / 3 * M_PI * std::pow(4 * kMm / 6, 3) /

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "process/laboratory/published/hu/heap_shadow.h"
+#include "process/laboratory/published/hu/heap_projection.h"
 #include "process/laboratory/published/hu/inserted_bed.h"
 #include "process/laboratory/published/hu/speed_density.h"
 
@@ -61,14 +61,14 @@ TEST(BedWindow, KineticEnergyIsOverWeightTimesDiameter) {
 
 TEST(HeapShadow, OfOneSphereIsACircleAndHolesAreFull) {
   const double circle = std::numbers::pi * 1e-6;
-  EXPECT_NEAR(shadow_area(spheres({{0, 0, 1e-3}}), 0), circle, 0.02 * circle);
+  EXPECT_NEAR(projected_area(spheres({{0, 0, 1e-3}}), 0), circle, 0.02 * circle);
   // A closed ring of spheres has the area within.
   std::vector<Eigen::Vector3d> ring;
   for (int k = 0; k < 16; ++k) {
     const double angle = 2 * std::numbers::pi * k / 16;
     ring.push_back({4e-3 * std::cos(angle), 0, 6e-3 + 4e-3 * std::sin(angle)});
   }
-  const double area = shadow_area(spheres(ring), 0);
+  const double area = projected_area(spheres(ring), 0);
   EXPECT_GT(area, std::numbers::pi * 16e-6);
   EXPECT_LT(area, std::numbers::pi * 25e-6);
 }
@@ -108,8 +108,8 @@ TEST(InsertedBed, ANarrowerBedHasAsMuchPowderOnEverySquareMetre) {
   EXPECT_EQ(narrow.to, 0.330);
 }
 
-TEST(StickySpheres, OfTwoSizesKnowTheirLargest) {
-  StickySpheres two;
+TEST(CohesiveSpheres, OfTwoSizesKnowTheirLargest) {
+  CohesiveSpheres two;
   two.sizes = {{5e-4, 8}, {1e-3, 1}};
   EXPECT_NEAR(largest_diameter(two), 4e-3, 1e-15);
 }

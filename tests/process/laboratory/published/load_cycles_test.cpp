@@ -53,8 +53,8 @@ TEST(LoadCycles, ACurveThatEndsTooSoonHasNoStiffness) {
 TEST(LoadCycles, TensionIsThePeakLessWhatStaysOnThePlate) {
   PullCurve curve;
   for (int n = 0; n <= 1000; ++n) {
-    const double way = 1e-6 * n;
-    curve.way.push_back(way);
+    const double travel = 1e-6 * n;
+    curve.travel.push_back(travel);
     // Rises to 1 N beside 0.2 N of weight, and falls in a straight line.
     curve.pull.push_back(0.2 + (n <= 100 ? n / 100.0 : std::max(0.0, 1 - (n - 100) / 400.0)));
   }

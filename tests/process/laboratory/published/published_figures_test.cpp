@@ -72,7 +72,7 @@ TEST(SceneExperiments, EveryRunIsAValidSceneAtEverySize) {
         EXPECT_NO_THROW(changed_scene(load_scene_text(file), file, run.changes))
             << experiment.name << ", " << name_of(size) << ", " << run.name;
       }
-      for (const auto& run : plan.own_runs) EXPECT_TRUE(names.insert(run.name).second) << run.name;
+      for (const auto& run : plan.custom_runs) EXPECT_TRUE(names.insert(run.name).second) << run.name;
       for (const auto& quantity : plan.quantities)
         for (const auto& run : quantity.runs) EXPECT_TRUE(names.contains(run)) << quantity.id << ": " << run;
     }

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "process/laboratory/published/own_runs.h"
+#include "process/laboratory/published/custom_runs.h"
 #include "process/laboratory/published/sawing/groove_charts.h"
-#include "process/laboratory/published/sawing/kept_figures.h"
+#include "process/laboratory/published/sawing/sawing_json.h"
 #include "process/results/storage/result_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -15,16 +15,16 @@ namespace diefill::process::laboratory::sawing {
 namespace {
 
 /// Keeps the state of a run at a share of its work, and stops it there.
-class Stopping final : public OwnRunWatch {
+class Stopping final : public CustomRunWatch {
  public:
   Stopping(const std::filesystem::path& folder, double stop_at) : folder_(folder), stop_at_(stop_at) {}
   const std::filesystem::path& folder() const override { return folder_; }
   const std::string& begun() const override { return state_; }
-  void look(double share, const std::function<std::string()>& state) override {
+  void report(double share, const std::function<std::string()>& state) override {
     if (stopped_ || share < stop_at_) return;
     stopped_ = true;
     state_ = state();
-    throw OwnRunStopped("stopped");
+    throw CustomRunStopped("stopped");
   }
 
  private:
@@ -52,14 +52,14 @@ TEST(WireSawing, AGrooveThatWasStoppedEndsAsOneThatWasNot) {
   const support::TemporaryFolder folder;
   Stopping never(folder.path(), 2), once(folder.path(), 0.6);
   const std::string straight = text_of(saw(small_groove(), 3, never));
-  EXPECT_THROW(saw(small_groove(), 3, once), OwnRunStopped);
+  EXPECT_THROW(saw(small_groove(), 3, once), CustomRunStopped);
   EXPECT_EQ(text_of(saw(small_groove(), 3, once)), straight);
 }
 
 TEST(WireSawing, AShearedBoxThatWasStoppedEndsAsOneThatWasNot) {
   const ShearedSlurry slurry{.edge = 5, .rate = 0.2, .solids = 0.1, .settling = 40, .sampled = 100};
   Stopping once("", 0.5);
-  EXPECT_THROW(measure(slurry, 1, once), OwnRunStopped);
+  EXPECT_THROW(measure(slurry, 1, once), CustomRunStopped);
   EXPECT_EQ(text_of(measure(slurry, 1, once)), text_of(measure(slurry, 1)));
 }
 

@@ -1,0 +1,107 @@
+#include "process/compare/backups.h"
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "process/results/storage/result_file.h"
+
+namespace diefill::process {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+[[noreturn]] void fail(const fs::path& path, const std::error_code& error) {
+  throw results::ResultError("cannot back up " + path.string() + ": " + error.message() +
+                             "; choose another directory");
+}
+
+/// `start` and the first number that no file or folder has behind it.
+fs::path first_free(const fs::path& start) {
+  for (int number = 1;; ++number) {
+    fs::path path = start;
+    path += std::to_string(number);
+    if (fs::symlink_status(path).type() == fs::file_type::not_found) return path;
+  }
+}
+
+/// Moves those of `files` that are there.
+fs::path move_to_backup(const fs::path& directory, const std::vector<fs::path>& files) {
+  const fs::path folder = first_free(directory / "previous-");
+  make_folder(folder);
+  for (const fs::path& file : files) {
+    std::error_code error;
+    if (!fs::exists(file)) continue;
+    fs::rename(file, folder / file.filename(), error);
+    if (error) fail(file, error);
+  }
+  return folder;
+}
+
+std::vector<fs::path> files_that_begin(const fs::path& directory, const std::vector<std::string>& starts) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const std::string name = entry.path().filename().string();
+    const auto begins_it = [&](const std::string& start) { return name.starts_with(start); };
+    if (entry.is_regular_file() && std::any_of(starts.begin(), starts.end(), begins_it))
+      files.push_back(entry.path());
+  }
+  return files;
+}
+
+/// Whether all that `list` of the document tells of is in `is_there`; no, where it cannot be read.
+bool all_there(const fs::path& file, const char* list, const std::function<bool(const Json&)>& is_there) {
+  std::ifstream stream(file);
+  const Json document = Json::parse(stream, nullptr, false);
+  if (!document.is_object() || !document.contains(list) || !document[list].is_array()) return false;
+  try {
+    return std::all_of(document[list].begin(), document[list].end(), is_there);
+  } catch (const Json::exception&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw results::ResultError("cannot create " + folder.string() + ": " + error.message());
+}
+
+fs::path back_up(const fs::path& path) {
+  const fs::path renamed = first_free(path.string() + "-previous-");
+  std::error_code error;
+  fs::rename(path, renamed, error);
+  if (error) fail(path, error);
+  return renamed;
+}
+
+std::optional<fs::path> back_up_earlier_tables(const fs::path& directory, const results::Comparison& now) {
+  const fs::path table = directory / "comparison.json";
+  const auto is_there = [&](const Json& run) {
+    if (run.at("state") != "finished") return true;
+    return std::any_of(now.runs.begin(), now.runs.end(), [&](const results::ComparedRun& other) {
+      return other.state == "finished" && run.at("folder") == other.folder &&
+             run.at("state_hash") == other.state_hash;
+    });
+  };
+  if (!fs::exists(table) || all_there(table, "runs", is_there)) return std::nullopt;
+  return move_to_backup(directory, files_that_begin(directory, {"comparison."}));
+}
+
+std::optional<fs::path> back_up_earlier_tables(const fs::path& directory, const results::Tradeoff& now) {
+  const fs::path table = directory / "tradeoff.json";
+  const auto is_there = [&](const Json& setting) {
+    if (setting.at("seeds") == 0) return true;
+    return std::any_of(now.points.begin(), now.points.end(), [&](const results::TradeoffPoint& other) {
+      return setting.at("setting") == other.name && setting.at("seeds") <= other.seeds;
+    });
+  };
+  if (!fs::exists(table) || all_there(table, "settings", is_there)) return std::nullopt;
+  return move_to_backup(directory, files_that_begin(directory, {"tradeoff.", "knob_"}));
+}
+
+}  // namespace diefill::process

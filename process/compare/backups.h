@@ -1,0 +1,31 @@
+// Backs up files in a directory of runs that do not match a new scene, by renaming them.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "process/results/studies/comparison.h"
+#include "process/results/studies/tradeoff.h"
+
+namespace diefill::process {
+
+/// Creates the folder and its parents. Throws results::ResultError.
+void make_folder(const std::filesystem::path& folder);
+
+/// Renames a file or folder to `<name>-previous-1` or the first free number, and gives that path. Throws
+/// results::ResultError where it cannot.
+std::filesystem::path back_up(const std::filesystem::path& path);
+
+/// Moves comparison.json and its companion files into `directory`/previous-1, or the first free number, where
+/// it lists finished runs that `now` does not have, or cannot be read; returns that folder. Throws
+/// results::ResultError.
+std::optional<std::filesystem::path> back_up_earlier_tables(const std::filesystem::path& directory,
+                                                            const results::Comparison& now);
+
+/// The same of tradeoff.json, where it lists settings with more finished runs than `now` has.
+std::optional<std::filesystem::path> back_up_earlier_tables(const std::filesystem::path& directory,
+                                                            const results::Tradeoff& now);
+
+}  // namespace diefill::process
