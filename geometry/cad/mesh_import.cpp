@@ -15,7 +15,6 @@
 #include "geometry/cad/read_text_stl.h"
 #include "geometry/cad/referred_files.h"
 #include "geometry/cad/shown_text.h"
-#include "geometry/cad/unit_of_3mf.h"
 #include "geometry/cad/wanted_part.h"
 #include "geometry/grids/distinct_points.h"
 #include "geometry/grids/point_grid.h"
@@ -139,12 +138,8 @@ CadParts read(const std::filesystem::path& file, const CadFormat& format, double
   try {
     // Triangles are only copied; a few curved faces can take long to mesh finely.
     const unsigned seconds = format.surface == SurfaceKind::kCurved ? 60 : 10;
-    return read_in_child(
-        [&] {
-          if (format.ending == "3mf") refuse_unknown_unit_of_3mf(bytes);
-          return read_cad_parts(file, format, chord_tolerance);
-        },
-        {bytes.size(), seconds});
+    return read_in_child([&] { return read_cad_parts(file, format, chord_tolerance); },
+                         {bytes.size(), seconds});
   } catch (const std::runtime_error& reason) {
     throw MeshError(named(file) + " cannot be read as " + format.ending + ": " +
                     shown(reason.what(), kLongestReason) + remedy(format, chord_tolerance, reason.what()));

@@ -1,3 +1,4 @@
+#include <Common/NMR_ErrorConst.h>
 #include <Model/COM/NMR_DLLInterfaces.h>
 
 #include <Eigen/Geometry>
@@ -132,6 +133,20 @@ void add_item(NMR::PLib3MFModelBuildItem* item, Collector& collector) {
   collector.add(object, placement, {}, "");
 }
 
+/// The library takes a unit that it does not know for millimetres, with a warning.
+void refuse_unknown_unit(NMR::PLib3MFModelReader* reader) {
+  DWORD warnings = 0;
+  check(NMR::lib3mf_reader_getwarningcount(reader, &warnings), reader);
+  for (DWORD i = 0; i < warnings; ++i) {
+    DWORD code = 0;
+    ULONG length = 0;
+    check(NMR::lib3mf_reader_getwarningutf8(reader, i, &code, nullptr, 0, &length), reader);
+    if (code == NMR_ERROR_INVALIDMODELUNIT)
+      throw std::runtime_error(
+          "its unit is unknown, allowed: micron, millimeter, centimeter, inch, foot, meter");
+  }
+}
+
 double unit_of(NMR::PLib3MFModel* model) {
   DWORD unit = NMR::MODELUNIT_MILLIMETER;
   check(NMR::lib3mf_model_getunit(model, &unit), model);
@@ -161,6 +176,7 @@ CadParts read_3mf(const std::filesystem::path& file) {
   check(NMR::lib3mf_model_queryreader(model, "3mf", &reader), model);
   const Handle held_reader(reader);
   check(NMR::lib3mf_reader_readfromfileutf8(reader, file.string().c_str()), reader);
+  refuse_unknown_unit(reader);
 
   CadParts contents;
   Collector collector(contents.parts);

@@ -132,8 +132,8 @@ std::vector<results::ExperimentFigure> transient_figures(const continuum::Discha
 }
 
 void watch_transient(const ExperimentOptions& options, results::ExperimentResult& result) {
-  const double factor = options.quick ? 8 : 4;
-  const auto all = transient_setups(factor);
+  // Coarser grains arch over the slit of 6 mm.
+  const auto all = transient_setups(options.quick ? 5 : 4);
   const auto fields = run_packings(options, all, options.quick ? 1 : 3);
   const auto fit = fit_transient(all, fields);
   result.figures = transient_figures(fit, all, fields);

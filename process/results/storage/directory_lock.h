@@ -16,8 +16,8 @@ struct DirectoryInUse : ResultError {
 };
 
 /// A directory locked for the life of this object, against other processes. The lock (fcntl, which network
-/// mounts support as well) is on the file `.diefill-lock` in it, and ends with the process in any case; a file left
-/// by a killed process has no effect. Reading needs no lock.
+/// mounts support as well) is on the file `.diefill-lock` in it, and ends with the process in any case; a
+/// file left by a killed process has no effect. Reading needs no lock.
 class DirectoryLock {
  public:
   /// Throws DirectoryInUse where another process holds the lock, ResultError where no file can be made.

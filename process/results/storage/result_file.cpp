@@ -116,7 +116,7 @@ std::string earlier_image(const std::filesystem::path& path) {
 FillResult read_checked(const std::filesystem::path& path) {
   std::error_code error;
   if (const auto directory = path.parent_path(); std::filesystem::is_regular_file(directory, error))
-    throw ResultError(directory.string() + ": is a file; give the directory that holds the results");
+    throw ResultError(directory.string() + ": is a file; give the directory that holds results.h5");
   if (!std::filesystem::is_regular_file(path, error))
     throw ResultError(path.string() +
                       ": no such results file; run the scene first or give another directory");

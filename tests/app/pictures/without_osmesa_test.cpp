@@ -26,7 +26,7 @@ TEST(WithoutOsmesa, PicturesNameThePackageAndOtherCommandsRun) {
   EXPECT_EQ(map.exit_code, 1);
   EXPECT_EQ(map.complaints(), 1U) << map.err;
   EXPECT_NE(map.err.find("install the package libosmesa6"), std::string::npos) << map.err;
-  EXPECT_TRUE(SmallDie::files_in(pictures).empty());
+  EXPECT_FALSE(std::filesystem::exists(pictures));
   EXPECT_EQ(run({"info", results}).exit_code, 0);
 }
 

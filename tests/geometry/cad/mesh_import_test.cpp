@@ -93,8 +93,7 @@ TEST(MeshImport, A3mfFileOfAnUnknownUnitIsRefused) {
   const std::vector<sample::NamedMesh> parts = {{"box", sample::box({0, 0, 0}, {1, 1, 1})}};
   for (const char* unit : {"parsec", "Inch", "inches"})
     expect_error(directory.write("a.3mf", sample::three_mf(parts, unit)),
-                 "its unit is '" + std::string(unit) +
-                     "', allowed: micron, millimeter, centimeter, inch, foot, meter");
+                 "its unit is unknown, allowed: micron, millimeter, centimeter, inch, foot, meter");
   ImportOptions options;
   const auto file = directory.write("b.3mf", sample::three_mf(parts, "centimeter"));
   EXPECT_DOUBLE_EQ(import_part(file, options).metres_per_unit, 1e-2);
