@@ -105,8 +105,7 @@ results::ExperimentChart chart_of(const std::vector<HopperSetup>& setups,
 }  // namespace
 
 std::vector<HopperSetup> transient_setups(double factor) {
-  return {slit_of(6, 32e-3, 60e-3, factor), slit_of(10, 32e-3, 60e-3, factor),
-          slit_of(15, 45e-3, 75e-3, factor)};
+  return {slit_of(10, 32e-3, 60e-3, factor), slit_of(15, 45e-3, 75e-3, factor)};
 }
 
 continuum::DischargeFit fit_transient(const std::vector<HopperSetup>& setups,
@@ -119,20 +118,19 @@ std::vector<results::ExperimentFigure> transient_figures(const continuum::Discha
                                                          const std::vector<HopperFields>& fields) {
   const bool open = fit.fit.shape_at_bound;
   const std::string how =
-      open ? "the flow does not determine beta" : "Eq. 5.15 fitted to slits of 6, 10 and 15 mm together";
+      open ? "the flow does not determine beta" : "Eq. 5.15 fitted to slits of 10 and 15 mm together";
   const auto number = [&](const char* name) { return open ? kNone : fit.number(name); };
   std::vector<results::ExperimentFigure> figures = {{"E01", number("C_B"), how},
                                                     {"E02", number("C_I"), how},
                                                     {"E03", number("C_F"), how},
                                                     {"E04", number("beta"), how}};
-  figures.push_back({"E05", fields[1].outflow * kSourceDepth * kSourceFraction / kSourceGrain,
+  figures.push_back({"E05", fields[0].outflow * kSourceDepth * kSourceFraction / kSourceGrain,
                      "slit of 10 mm, in grains of the source"});
   for (auto& figure : figures) figure.grain_diameter = setups[0].powder.grain_diameter;
   return figures;
 }
 
 void watch_transient(const ExperimentOptions& options, results::ExperimentResult& result) {
-  // Coarser grains arch over the slit of 6 mm.
   const auto all = transient_setups(options.quick ? 5 : 4);
   const auto fields = run_packings(options, all, options.quick ? 1 : 3);
   const auto fit = fit_transient(all, fields);

@@ -1,5 +1,5 @@
 // Discharge from the opening of the slit on (Bierwisch 2009, section 5.2.1): powder that has run out of
-// hoppers with slits of three widths over time, Eq. 5.15 fitted to all of them together, and the steady rate.
+// hoppers with slits of two widths over time, Eq. 5.15 fitted to all of them together, and the steady rate.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace diefill::process::laboratory {
 
-/// Slits of 6, 10 and 15 mm with grains `factor` times as large as the source's, in hoppers as wide as the
+/// Slits of 10 and 15 mm with grains `factor` times as large as the source's, in hoppers as wide as the
 /// shoes of the source: 32 mm, and 45 mm for the widest slit. They flow for about 0.3 s; levels stay above 2
 /// D.
 std::vector<HopperSetup> transient_setups(double factor);
