@@ -59,8 +59,10 @@ continuum::DischargeData data_of(const std::vector<HopperSetup>& setups,
 
 results::ExperimentSeries measured_series(const HopperSetup& setup, const HopperFields& fields) {
   results::ExperimentSeries series{.name = setup.name, .x = {}, .y = {}};
+  constexpr std::size_t kPoints = 40;
   const double width = setup.equivalent_slit, unit = std::sqrt(width / setup.gravity);
-  for (std::size_t n = 0; n < fields.time.size(); ++n) {
+  const std::size_t every = 1 + fields.time.size() / kPoints;
+  for (std::size_t n = 0; n < fields.time.size(); n += every) {
     series.x.push_back(fields.time[n] / unit);
     series.y.push_back(fields.discharged[n] / (width * width));
   }
