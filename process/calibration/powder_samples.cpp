@@ -19,8 +19,8 @@ namespace {
 constexpr NumberRule kFitted = {-1e12, 1e12, false, "0.25"};
 
 /// The parameters that were fitted, into keys, units and best values of the region.
-void read_fitted(TableReader& account, PowderRegion& region) {
-  for (TableReader& parameter : account.tables("parameter")) {
+void read_fitted(TableReader& calibration, PowderRegion& region) {
+  for (TableReader& parameter : calibration.tables("parameter")) {
     const std::string key = parameter.required_text("key", "powder.friction");
     if (!is_key_path(key))
       parameter.reject("key", "expected the path of a key alone, such as \"powder.friction\"");
@@ -39,9 +39,9 @@ void read_fitted(TableReader& account, PowderRegion& region) {
 }
 
 /// A row for each powder, as the file has them.
-std::vector<std::vector<double>> samples_in(const toml::table& account, const PowderRegion& region) {
+std::vector<std::vector<double>> samples_in(const toml::table& calibration, const PowderRegion& region) {
   std::vector<std::vector<double>> samples;
-  const toml::array* rows = account["samples"].as_array();
+  const toml::array* rows = calibration["samples"].as_array();
   if (rows == nullptr) return samples;
   for (const toml::node& node : *rows) {
     const toml::array* row = node.as_array();
@@ -108,8 +108,8 @@ PowderRegion powder_region_of(const std::filesystem::path& scene_file) {
   PowderRegion region;
   region.file = scene_file.parent_path() / *name;
   const toml::table powder = parse_scene_text(load_scene_text(region.file), region.file);
-  if (auto account = TableReader(powder, region.file, "").table("calibration")) {
-    read_fitted(*account, region);
+  if (auto calibration = TableReader(powder, region.file, "").table("calibration")) {
+    read_fitted(*calibration, region);
     if (!region.keys.empty()) region.samples = samples_in(*powder["calibration"].as_table(), region);
   }
   if (region.samples.empty())

@@ -26,13 +26,12 @@ void deepen(geometry::Penetration& deepest, const Tool& part, const Tool& other,
   if (found.depth > deepest.depth) deepest = found;
 }
 
-/// m inside the part beneath each of its triangles, as a share of the part's size.
+/// Depth of the points tested beneath each triangle, over the part's size.
 constexpr double kBeneathOverSize = 1e-4;
 
-/// Whether the part lies within the other, on whose surface all of its own lies: the same body once more, or
-/// one of the other's bodies. What lies beneath every triangle of the part is then in the other, too, as it
-/// is not where parts touch or overlap by what fits and facets do.
-bool is_again(const Tool& part, const Tool& other) {
+/// Whether the part is the other, or one of its bodies, at the same place: the points just beneath all of its
+/// triangles then lie in the other, which they do not where parts only touch or overlap slightly.
+bool is_same_body(const Tool& part, const Tool& other) {
   const double beneath = kBeneathOverSize * part.mesh.bounding_box().size().norm();
   bool any = false;
   for (const Eigen::Vector3i& triangle : part.mesh.triangles) {
@@ -110,7 +109,7 @@ geometry::Penetration deepest_overlap(const Tool& one, const Tool& other, double
 void check_fit(const Tool& tool, const Tool& other, double sphere_radius, const std::string& where) {
   const geometry::Penetration deepest = deepest_overlap(tool, other, sphere_radius);
   if (deepest.depth <= sphere_radius) {
-    if (!is_again(tool, other) && !is_again(other, tool)) return;
+    if (!is_same_body(tool, other) && !is_same_body(other, tool)) return;
     throw SceneError(where + " and tool \"" + other.spec.name +
                      "\" are the same body at the same place; give one of them another file, part or "
                      "position, or remove it");

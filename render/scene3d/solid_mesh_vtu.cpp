@@ -64,7 +64,7 @@ class SilentVtk {
 /// would ask for the memory.
 void refuse_excessive_counts(const std::filesystem::path& file) {
   constexpr std::size_t kHead = 65536;  // bytes; the counts stand before the data
-  constexpr double kMostOfByte = 100;   // deflate makes a thousand bytes one at best, a point has twelve
+  constexpr double kMaxPerByte = 100;   // deflate makes a thousand bytes one at best, a point has twelve
   std::string head(kHead, '\0');
   std::ifstream stream(file, std::ios::binary);
   stream.read(head.data(), static_cast<std::streamsize>(kHead));
@@ -75,7 +75,7 @@ void refuse_excessive_counts(const std::filesystem::path& file) {
     const std::size_t place = head.find(key);
     if (place == std::string::npos) continue;
     const double count = std::strtod(head.c_str() + place + key.size(), nullptr);
-    if (count > kMostOfByte * bytes)
+    if (count > kMaxPerByte * bytes)
       throw std::invalid_argument("announces " +
                                   head.substr(place, head.find('"', place + key.size()) - place + 1) +
                                   ", more than its " + std::to_string(static_cast<long long>(bytes)) +

@@ -14,14 +14,14 @@ namespace diefill::process::laboratory {
 
 namespace {
 
-constexpr double kWatched = 0.3;            // s after the opening
+constexpr double kFlowTime = 0.3;           // s after the opening
 constexpr double kSourceDepth = 2.16e-3;    // m, b of the source's hopper
 constexpr double kSourceFraction = 0.365;   // its bulk solid fraction
 constexpr double kSourceGrain = 1.413e-11;  // m^3, its grains (Table C.4)
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// A slit of `millimetres` in a hopper of this width; the level falls for kWatched, by half before the steady
-/// rate is taken.
+/// A slit of `millimetres` in a hopper of this width; the level falls for kFlowTime, by half before the
+/// steady rate is taken.
 HopperSetup slit_of(double millimetres, double width, double fill, double factor) {
   HopperSetup setup = source_hopper(factor);
   char name[40];
@@ -31,7 +31,7 @@ HopperSetup slit_of(double millimetres, double width, double fill, double factor
   setup.width = width;
   setup.fill = fill;
   const double fall =
-      kWatched * continuum::kSimulatedDischarge.steady * setup.equivalent_slit * speed_scale(setup) / width;
+      kFlowTime * continuum::kSimulatedDischarge.steady * setup.equivalent_slit * speed_scale(setup) / width;
   setup.from = fill - 0.5 * fall;
   setup.to = fill - fall;
   fit_to_grains(factor, setup);
@@ -132,7 +132,7 @@ std::vector<results::ExperimentFigure> transient_figures(const continuum::Discha
   return figures;
 }
 
-void watch_transient(const ExperimentOptions& options, results::ExperimentResult& result) {
+void measure_transient(const ExperimentOptions& options, results::ExperimentResult& result) {
   const auto all = transient_setups(options.quick ? 5 : 4);
   const auto fields = run_packings(options, all, options.quick ? 1 : 3);
   const auto fit = fit_transient(all, fields);

@@ -6,7 +6,7 @@ const std::vector<Experiment>& flow_experiments() {
   static const std::vector<Experiment> all = {
       {"hopper", "do kinematic models describe the flow out of a hopper, and does it scale with its slit?",
        compare_hopper},
-      {"transient", "how does the flow out of a hopper grow once its slit opens?", watch_transient},
+      {"transient", "how does the flow out of a hopper grow once its slit opens?", measure_transient},
   };
   return all;
 }

@@ -10,6 +10,6 @@ namespace diefill::process::laboratory {
 const std::vector<Experiment>& flow_experiments();
 
 void compare_hopper(const ExperimentOptions& options, results::ExperimentResult& result);
-void watch_transient(const ExperimentOptions& options, results::ExperimentResult& result);
+void measure_transient(const ExperimentOptions& options, results::ExperimentResult& result);
 
 }  // namespace diefill::process::laboratory
