@@ -28,7 +28,7 @@ namespace diefill::app {
 namespace {
 
 struct CheckArguments {
-  std::string scene, picture, setting;
+  std::string scene, picture, setting, variant;
   std::vector<std::string> changes;
   bool json = false;
 };
@@ -174,9 +174,28 @@ void print_simulation(const process::Scene& scene, const process::Tooling& tooli
   for (const auto& warning : predicted.warnings) std::printf("note: %s\n", warning.c_str());
 }
 
+/// The scene's variants that are not checked: none where one of them, or another scene by --set, is.
+std::vector<std::string> unchecked_variants(const CheckArguments& arguments) {
+  if (!arguments.variant.empty() || !arguments.changes.empty()) return {};
+  return names_of_variants(arguments.scene);
+}
+
+void print_unchecked(const std::vector<std::string>& variants) {
+  if (variants.empty()) return;
+  std::printf(
+      "this is the scene without its %zu [[variant]]%s; check one with --variant, such as --variant \"%s\"\n",
+      variants.size(), variants.size() == 1 ? "" : "s", variants.front().c_str());
+}
+
+process::Scene scene_of(const CheckArguments& arguments) {
+  return arguments.variant.empty() ? chosen_scene(arguments.scene, arguments.setting, arguments.changes)
+                                   : chosen_variant(arguments.scene, arguments.variant, arguments.setting);
+}
+
 int check(const CheckArguments& arguments) {
   require_picture(arguments, nullptr);
-  process::Scene scene = chosen_scene(arguments.scene, arguments.setting, arguments.changes);
+  process::Scene scene = scene_of(arguments);
+  const auto variants = unchecked_variants(arguments);
   require_picture(arguments, &scene);
   if (arguments.json || !arguments.picture.empty()) refuse_unusable(arguments, scene);
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
@@ -192,6 +211,7 @@ int check(const CheckArguments& arguments) {
     json["simulation"] = as_json(predicted);
     json["warnings"] = setup_as_json(setup);
     json["estimate"] = estimate_as_json(process::estimate::estimate(scene, tooling));
+    json["unchecked_variants"] = variants;
     print_json(json);
     return kDone;
   }
@@ -200,6 +220,7 @@ int check(const CheckArguments& arguments) {
   print_pairs(diagnosis);
   print_cavities(tooling);
   print_simulation(scene, tooling, predicted);
+  print_unchecked(variants);
   print_alerts(words_of(setup));
   if (!arguments.picture.empty()) std::printf("picture: %s\n", arguments.picture.c_str());
   return kDone;
@@ -212,7 +233,8 @@ void add_check(CLI::App& program, Action& chosen) {
   auto arguments = std::make_shared<CheckArguments>();
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   add_setting(*command, arguments->setting);
-  add_changes(*command, arguments->changes);
+  auto* changes = add_changes(*command, arguments->changes);
+  add_variant(*command, arguments->variant)->excludes(changes);
   command->add_flag("--json", arguments->json, "print the findings about the tools as JSON, lengths in m");
   command->add_option("--picture", arguments->picture, "write a PNG of the tools with each finding marked");
   command->footer(

@@ -5,9 +5,11 @@
 #include "app/commands/formula_commands.h"
 #include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
+#include "app/options/quantities.h"
 #include "app/tables/estimate_report.h"
 #include "app/tables/json_text.h"
-#include "process/input/units.h"
+#include "app/tables/variant_estimates.h"
+#include "process/plan/setting.h"
 #include "process/setup/read_tooling.h"
 
 namespace diefill::app {
@@ -15,7 +17,7 @@ namespace diefill::app {
 namespace {
 
 struct EstimateArguments {
-  std::string scene, setting, particle_diameter, discharge;
+  std::string scene, setting, variant, particle_diameter, discharge;
   std::vector<std::string> changes;
   bool json = false;
 };
@@ -26,35 +28,59 @@ double seconds_since(std::chrono::steady_clock::time_point then) {
 
 /// m. Throws process::SceneError.
 double diameter(const std::string& text) {
-  const std::string found = "--particle-diameter: found \"" + text + "\"";
-  double value = 0;
-  try {
-    value = process::parse_quantity(text, process::Dimension::length, "80 um");
-  } catch (const process::UnitError& error) {
-    throw process::SceneError(found + ": " + error.what());
-  }
   constexpr double kMin = 1e-6, kMax = 1e-2;
-  if (value < kMin || value > kMax) throw process::SceneError(found + ", allowed: 1 um to 10 mm");
-  return value;
+  return bounded_quantity("--particle-diameter", text, process::Dimension::length, {kMin, kMax, false, ""});
 }
 
-int run_estimate(const EstimateArguments& arguments) {
+process::estimate::EstimateOptions options_of(const EstimateArguments& arguments) {
   process::estimate::EstimateOptions options;
   if (!arguments.particle_diameter.empty()) options.particle_diameter = diameter(arguments.particle_diameter);
   if (!arguments.discharge.empty()) options.law = process::estimate::read_discharge(arguments.discharge);
-  const process::Scene scene = chosen_scene(arguments.scene, arguments.setting, arguments.changes);
+  return options;
+}
+
+process::Tooling tooling_of(const process::Scene& scene) {
+  process::Progress progress(true);
+  return process::read_tooling(scene, progress.callback());
+}
+
+/// Nothing where the scene has no variants, or one of them or --set is asked for.
+std::vector<VariantEstimate> estimates_of_variants(const EstimateArguments& arguments,
+                                                   const process::estimate::EstimateOptions& options) {
+  std::vector<VariantEstimate> estimates;
+  if (!arguments.variant.empty() || !arguments.changes.empty()) return estimates;
+  if (names_of_variants(arguments.scene).empty()) return estimates;
+  for (const auto& variant : chosen_variants(arguments.scene, arguments.setting)) {
+    const auto scene = process::plan::settled_scene(variant.scene, std::nullopt);
+    estimates.push_back({variant.name, process::estimate::estimate(scene, tooling_of(scene), options)});
+  }
+  return estimates;
+}
+
+void print_variants(const std::vector<VariantEstimate>& variants) {
+  if (variants.empty()) return;
+  std::printf("\nabove: the scene without its [[variant]]s; these:\n");
+  print_variant_estimates(variants);
+  std::printf("all statements about one of them: --variant, such as --variant \"%s\"\n",
+              variants.front().name.c_str());
+}
+
+int run_estimate(const EstimateArguments& arguments) {
+  const auto options = options_of(arguments);
+  const process::Scene scene = arguments.variant.empty()
+                                   ? chosen_scene(arguments.scene, arguments.setting, arguments.changes)
+                                   : chosen_variant(arguments.scene, arguments.variant, arguments.setting);
   auto began = std::chrono::steady_clock::now();
-  const auto tooling = [&] {
-    process::Progress progress(true);
-    return process::read_tooling(scene, progress.callback());
-  }();
+  const process::Tooling tooling = tooling_of(scene);
   const double reading = seconds_since(began);
   began = std::chrono::steady_clock::now();
   const auto found = process::estimate::estimate(scene, tooling, options);
   const double estimating = seconds_since(began);
+  const auto variants = estimates_of_variants(arguments, options);
   if (arguments.json) {
     nlohmann::ordered_json json = {{"title", scene.title}};
     json.update(estimate_as_json(found));
+    if (!variants.empty()) json["variants"] = variant_estimates_as_json(variants);
     json["reading_seconds"] = reading;
     json["estimating_seconds"] = estimating;
     std::printf("%s\n", json_text(json).c_str());
@@ -63,6 +89,7 @@ int run_estimate(const EstimateArguments& arguments) {
   std::printf("%s\n", scene.title.c_str());
   print_estimate(found);
   std::printf("estimated in %.2f s, after %.1f s of reading the tools\n", estimating, reading);
+  print_variants(variants);
   return kDone;
 }
 
@@ -74,19 +101,24 @@ void add_estimate(CLI::App& program, Action& chosen) {
   auto arguments = std::make_shared<EstimateArguments>();
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   add_setting(*command, arguments->setting);
-  add_changes(*command, arguments->changes);
+  auto* changes = add_changes(*command, arguments->changes);
+  add_variant(*command, arguments->variant)->excludes(changes);
   command->add_option("--particle-diameter", arguments->particle_diameter,
                       "size of the real particles, such as '80 um', for the effect of air (default: that of "
                       "[suction]; 0.1 mm for presets)");
-  command->add_option("--discharge", arguments->discharge,
-                      "fit.json of diefill fit-discharge: the law of your powder");
+  command->add_option(
+      "--discharge", arguments->discharge,
+      "fit.json of diefill fit-discharge (law 5.17, 5.18, transient or beverloo-slit): the law of "
+      "your powder");
   command->add_flag("--json", arguments->json, "print JSON, SI units");
   command->footer(
       "For each cavity or slit: mass that runs in and share filled, critical shoe speed, crossings needed, "
       "cycle "
       "time;\nfor a falling punch the mass that follows; whether air matters; Bond, Froude and Pi numbers. "
       "Each "
-      "with its\nformula, range and error. Takes under a second once the tools are read.\n"
+      "with its\nformula, range and error. Takes under a second once the tools are read. Of a scene with "
+      "variants "
+      "also a\nline for each of them; --variant gives all statements about one.\n"
       "Examples:\n  diefill estimate sample_tools/narrow_ring/fill.toml\n"
       "  diefill estimate my_die.toml --discharge out/fit/fit.json --particle-diameter '80 um' --json");
   command->callback([arguments, &chosen] { chosen = [arguments] { return run_estimate(*arguments); }; });

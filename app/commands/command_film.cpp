@@ -111,7 +111,7 @@ int film(const FilmArguments& arguments) {
   const OutputFile output = output_of(arguments);
   const PictureRequest request = request_of(arguments);
   const std::atomic<bool>& stop = install_stop_handlers();
-  make_directory_of(output);
+  const DirectoryToFill filled(output.file.has_parent_path() ? output.file.parent_path() : fs::path("."));
   const auto cores = std::max(1U, std::thread::hardware_concurrency());
   const std::size_t jobs = arguments.jobs > 0 ? static_cast<std::size_t>(arguments.jobs) : cores;
   try {
@@ -167,7 +167,7 @@ void add_film(CLI::App& program, Action& chosen) {
   command->footer(
       "The filling over time needs measure.snapshot_interval in the scene. Without ffmpeg the frames are "
       "kept as "
-      "PNG files.\n"
+      "PNG files. Where a shoe crosses the cavity, the view stays close to the cavity.\n"
       "Examples:\n"
       "  diefill film out/narrow_ring\n"
       "  diefill film out/narrow_ring --turntable --tools translucent\n"

@@ -24,7 +24,7 @@ namespace continuum = process::continuum;
 using continuum::DischargeLaw;
 
 struct FitArguments {
-  std::string file, law, density, width, length, shoe_length, grain_diameter, opened,
+  std::string file, law, density, width, length, shoe_length, grain_diameter, opened, until,
       out = "out/fit_discharge";
   bool json = false;
 };
@@ -56,7 +56,8 @@ continuum::CommonToAll common_of(const FitArguments& arguments) {
           quantity("--length", arguments.length, Dimension::length),
           quantity("--shoe-length", arguments.shoe_length, Dimension::length),
           quantity("--grain-diameter", arguments.grain_diameter, Dimension::length),
-          quantity("--opened", arguments.opened, Dimension::time)};
+          quantity("--opened", arguments.opened, Dimension::time),
+          quantity("--until", arguments.until, Dimension::time)};
 }
 
 continuum::DischargeFit fitted(const std::string& file, DischargeLaw law,
@@ -111,15 +112,18 @@ void add_fit_discharge(CLI::App& program, Action& chosen) {
                       "coarse grains: openings count as D - 1.4 d");
   command->add_option("--opened", arguments->opened,
                       "when the slit opened, such as '0.35 s': times count from then (default: from 0)");
+  command->add_option("--until", arguments->until,
+                      "law transient: leave out what was recorded after this time, such as '0.6 s', on the "
+                      "clock of --opened: a hopper that is empty no longer shows how powder flows");
   command->add_option("--out", arguments->out, "directory for fit.json, fit.csv and fit.png")
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "print fit.json too, SI units");
   command->footer(
       "Columns: speed m/s and mass g (laws 5.17, 5.18); time s and mass g, such as a flow probe's file "
       "(transient);\nrate g/s and diameter mm or width mm (Beverloo). Further columns: error g (one standard "
-      "deviation), rate_error g/s,\nlength mm, shoe_length mm, density g/cm^3. The fit.json of 5.17 and "
+      "deviation), rate_error g/s,\nlength mm, shoe_length mm, density g/cm^3. The fit.json of 5.17, 5.18, "
       "transient "
-      "serves diefill estimate --discharge.\n"
+      "and beverloo-slit serves diefill estimate --discharge.\n"
       "Examples:\n  diefill fit-discharge masses.csv --density '3.0 g/cm^3' --width '6 mm' --length '33 mm' "
       "--shoe-length '32 mm'\n"
       "  diefill fit-discharge out/slit/probe_slit.csv --law transient --density '2.1 g/cm^3' --width '15 "

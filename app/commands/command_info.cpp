@@ -5,6 +5,7 @@
 #include "app/exit_code.h"
 #include "process/results/cavity_rows.h"
 #include "process/results/figure_table.h"
+#include "process/results/formatted.h"
 #include "process/results/no_value.h"
 #include "process/results/storage/result_file.h"
 
@@ -13,9 +14,7 @@ namespace diefill::app {
 namespace {
 
 std::string exact(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
+  return results::formatted("%.10g", value);
 }
 
 void print_solid_fraction(const results::FillResult& result) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include "app/commands/commands.h"
@@ -20,7 +21,7 @@ namespace {
 using process::laboratory::Experiment;
 
 struct LabArguments {
-  std::string name = "all", out;
+  std::string name = "all", out, scenes;
   process::laboratory::ExperimentOptions options;
 };
 
@@ -69,8 +70,16 @@ results::ExperimentResult perform_telling(const Experiment& one,
   return process::laboratory::perform(one, options);
 }
 
+bool have_published_figures(const std::vector<Experiment>& experiments) {
+  return std::any_of(experiments.begin(), experiments.end(),
+                     [](const Experiment& one) { return one.has_published_figures; });
+}
+
 int experiment(const Family& family, const LabArguments& arguments) {
   const auto experiments = wanted(family, arguments.name);
+  // Before the experiments, which may take hours.
+  const auto published =
+      have_published_figures(experiments) ? published_figures_in(arguments.scenes) : PublishedFigures();
   const std::filesystem::path out = arguments.out.empty() ? std::string("out/") + family.name : arguments.out;
   make_output_directory(out);
   set_up_drawing();
@@ -81,7 +90,7 @@ int experiment(const Family& family, const LabArguments& arguments) {
     write_output([&] {
       results::write_experiment(out, found.back());
       for (const auto& chart : found.back().charts) render::draw_experiment(out, chart);
-      write_figures(out, found.back());
+      write_figures(out, found.back(), published);
       results::write_limits(out, family.name, found);
     });
   }
@@ -99,6 +108,10 @@ void add_family(CLI::App& lab, const Family& family, Action& chosen) {
                       std::string("directory for tables and charts (default: out/") + family.name + ")");
   command->add_option("--threads", arguments->options.threads, "number of threads; does not affect results")
       ->check(whole_number(1, 1024));
+  if (have_published_figures(family.experiments()))
+    command->add_option("--scenes", arguments->scenes,
+                        "folder of the published figures (default: sample_tools/laboratory that comes with "
+                        "the program)");
   std::string names = "Experiments:\n";
   for (const auto& known : family.experiments()) names += "  " + known.name + ": " + known.question + "\n";
   command->footer(names);

@@ -20,6 +20,7 @@
 #include "process/measure/fields/measured_fields.h"
 #include "process/measure/fields/time_average.h"
 #include "process/measured_data/compare_with_measured.h"
+#include "process/results/formatted.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/result_file.h"
 #include "process/results/studies/measured_files.h"
@@ -66,12 +67,6 @@ double width_for(const std::string& given, const std::vector<PictureSource>& sou
   return averaging_width_of(given, results);
 }
 
-std::string with_number(const char* format, double number) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, number);
-  return text;
-}
-
 /// Each source becomes the average of its instants from --from to --to.
 void average_over_time(PictureRequest& request) {
   if (!request.plane_given && !request.sources.front().result.sections.empty()) {
@@ -86,8 +81,8 @@ void average_over_time(PictureRequest& request) {
     } catch (const std::invalid_argument& error) {
       throw process::SceneError(std::string("--time-average: ") + error.what());
     }
-    source.when = "mean of " + std::to_string(instants) + with_number(" instants, t = %.3f", from) +
-                  with_number(" to %.3f s", to);
+    source.when = "mean of " + std::to_string(instants) + results::formatted(" instants, t = %.3f", from) +
+                  results::formatted(" to %.3f s", to);
   }
 }
 
@@ -121,7 +116,7 @@ PictureRequest request_of(const MapArguments& arguments) {
   const auto names = source_names({arguments.directories.begin(), arguments.directories.end()});
   for (std::size_t k = 0; k < names.size(); ++k) {
     results::FillResult result = result_in(arguments.directories[k], arguments.cavity);
-    std::string when = with_number("t = %.3f s", result.powder.time);
+    std::string when = results::formatted("t = %.3f s", result.powder.time);
     request.sources.push_back({names[k], std::move(result), std::move(when)});
   }
   std::vector<ReadDirectory> read;

@@ -6,6 +6,8 @@
 #include "app/commands/start_scene.h"
 #include "app/exit_code.h"
 #include "app/options/choices.h"
+#include "app/own_command.h"
+#include "process/input/shell_word.h"
 
 namespace diefill::app {
 
@@ -21,7 +23,8 @@ int write_new(const NewArguments& arguments) {
       arguments.from.empty()
           ? write_start_scene(arguments.name, arguments.kind)
           : write_copied_scene(arguments.name, changed_scene(arguments.from, arguments.changes));
-  std::printf("wrote %s; run it with: diefill run %s\n", scene.c_str(), scene.c_str());
+  std::printf("wrote %s; run it with: %s run %s\n", scene.c_str(), own_command().c_str(),
+              process::shell_word(scene.string()).c_str());
   return kDone;
 }
 

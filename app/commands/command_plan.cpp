@@ -15,6 +15,7 @@
 #include "app/tables/json_text.h"
 #include "app/tables/plan_report.h"
 #include "app/tables/rank_report.h"
+#include "app/tables/variant_estimates.h"
 #include "process/estimate/openings.h"
 #include "process/plan/pilot_cache.h"
 #include "process/tooling/progress.h"
@@ -69,19 +70,40 @@ void print_estimate_first(const process::Scene& scene, const process::estimate::
   std::fflush(stdout);
 }
 
-int plan_variants(const PlanArguments& arguments, process::plan::PlanOptions options) {
+/// What is predicted of a scene's variants: what they cost, and what they leave by formula.
+struct VariantsPlan {
+  process::plan::ComparisonForecast cost;
+  std::vector<VariantEstimate> estimates;
+};
+
+VariantsPlan plan_of_variants(const PlanArguments& arguments, process::plan::PlanOptions options) {
+  process::Progress progress(true);
+  VariantsPlan planned;
+  options.on_progress = progress.callback();
+  options.pilot_starts = [&progress] { progress.note(kPilotStarts); };
+  options.tools_ready = [&planned](const process::Scene& scene, const process::Tooling& tooling) {
+    planned.estimates.push_back({"", process::estimate::estimate(scene, tooling)});
+  };
+  release_freed_memory();
+  const auto variants = chosen_variants(arguments.scene, arguments.setting);
+  planned.cost = process::plan::forecast_comparison(variants, options);
+  for (std::size_t k = 0; k < variants.size(); ++k) planned.estimates[k].name = variants[k].name;
+  return planned;
+}
+
+int plan_variants(const PlanArguments& arguments, const process::plan::PlanOptions& options) {
   const std::string title = process::read_scene(arguments.scene).title;
-  const auto comparison = [&] {
-    process::Progress progress(true);
-    options.on_progress = progress.callback();
-    options.pilot_starts = [&progress] { progress.note(kPilotStarts); };
-    release_freed_memory();
-    return process::plan::forecast_comparison(chosen_variants(arguments.scene, arguments.setting), options);
-  }();
-  if (arguments.json)
-    print_json(comparison_plan_as_json(title, comparison));
-  else
-    print_comparison_plan(title, comparison, options.threads);
+  const VariantsPlan planned = plan_of_variants(arguments, options);
+  if (arguments.json) {
+    auto json = comparison_plan_as_json(title, planned.cost);
+    for (std::size_t k = 0; k < planned.estimates.size(); ++k)
+      json["variants"][k]["estimate"] = estimate_in_short_as_json(planned.estimates[k].estimate);
+    print_json(json);
+    return kDone;
+  }
+  print_comparison_plan(title, planned.cost, options.threads);
+  std::printf("\nestimate without simulation:\n");
+  print_variant_estimates(planned.estimates);
   return kDone;
 }
 
@@ -178,11 +200,13 @@ void add_plan(CLI::App& program, Action& chosen) {
                     "skip the pilot run; wall times are then unknown");
   command->add_flag("--new-pilot", arguments->new_pilot,
                     "run the pilot again where one of this scene, machine and program is kept");
-  auto* variants = command
-                       ->add_flag("--variants", arguments->variants,
-                                  "predict diefill compare: each [[variant]] of the scene and all together")
-                       ->excludes(minutes)
-                       ->excludes(error);
+  auto* variants =
+      command
+          ->add_flag("--variants", arguments->variants,
+                     "predict diefill compare: each [[variant]] of the scene, with its estimate, "
+                     "and all together")
+          ->excludes(minutes)
+          ->excludes(error);
   auto* setting = add_setting(*command, arguments->setting)->needs(variants);
   setting->description("with --variants: " + setting->get_description());
   add_changes(*command, arguments->changes);

@@ -28,8 +28,10 @@
 #include "process/results/probe_table.h"
 #include "process/results/storage/result_file.h"
 #include "process/run/assemble.h"
+#include "process/run/input_record.h"
 #include "process/run/outcome.h"
 #include "process/scene/snapshot_folder.h"
+#include "process/scene/unchanged_preset.h"
 
 namespace diefill::app {
 
@@ -87,8 +89,9 @@ void note_expected_errors(const process::Scene& scene, const process::Tooling& t
                           results::FillResult& result) {
   const double opening =
       tooling.all_cavities().narrowest_width > 0 ? 0 : process::estimate::narrowest_hole(scene, tooling);
-  const auto errors = process::plan::expected_errors(scene.powder, scene.powder.grain_diameter,
-                                                     process::plan::lengths_of(scene, tooling, opening));
+  const auto errors =
+      process::plan::expected_errors(process::powder_as_published(scene), scene.powder.grain_diameter,
+                                     process::plan::lengths_of(scene, tooling, opening));
   if (!errors.empty())
     result.warnings.push_back("errors to be expected of this grain size: " + process::plan::words_of(errors) +
                               "; measured in " + errors.front().source);
@@ -142,7 +145,7 @@ int deliver(const RunArguments& arguments, const process::Scene& scene, const pr
             const std::vector<process::InputFile>& files, const std::filesystem::path& directory,
             const process::FillRun& fill) {
   auto result = process::assemble(scene, tooling, fill);
-  add_input_files(files, result);
+  process::add_input_files(files, result);
   note_expected_errors(scene, tooling, result);
   std::vector<std::filesystem::path> pictures, series;
   write_output([&] {
@@ -153,7 +156,7 @@ int deliver(const RunArguments& arguments, const process::Scene& scene, const pr
     series = write_filling_series(result, directory / "paraview", directory / "filling.pvd");
   });
   const bool finished = fill.why_unfinished().empty();
-  if (finished) std::filesystem::remove(process::checkpoint_file(directory));
+  if (finished) remove_checkpoint(directory);
   print_summary(result);
   std::printf("results in %s: report.json, results.h5 (results.xdmf for ParaView)",
               directory.string().c_str());
@@ -181,6 +184,7 @@ int run(const RunArguments& arguments) {
   std::optional<OutputDirectory> output;
   // Before work that would be lost if a second run were refused.
   if (std::filesystem::exists(options.directory)) output.emplace(options.directory);
+  if (arguments.resume) refuse_changed_inputs(scene, files, options.directory);
   const auto tooling = prepared_tooling(scene, !arguments.quiet);
   scene = process::with_prepared_steps(std::move(scene), tooling);
   if (arguments.resume && is_finished(options.directory, scene, tooling)) return kDone;
@@ -193,7 +197,7 @@ int run(const RunArguments& arguments) {
   print_alerts(words_of(process::setup_findings(scene, tooling)));
   if (!output) output.emplace(options.directory);
   if (!options.shared_starts.empty()) make_output_directory(options.shared_starts, "--beginnings");
-  back_up_earlier_results(options.directory, arguments.resume);
+  clear_for_run(options.directory, arguments.resume, files);
   run_watched(fill, live);
   return deliver(arguments, scene, tooling, files, options.directory, fill);
 }

@@ -1,6 +1,5 @@
 #include "app/commands/earlier_run.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <optional>
 
@@ -9,6 +8,7 @@
 #include "process/results/storage/earlier_results.h"
 #include "process/results/storage/result_file.h"
 #include "process/run/checkpoint.h"
+#include "process/run/input_record.h"
 
 namespace diefill::app {
 namespace {
@@ -33,18 +33,12 @@ bool are_of(const results::FillResult& result, const process::Scene& scene, cons
          process::scene_identity(result.scene_text, scene.file, then);
 }
 
-constexpr const char* kInputFiles = "input files";  // topic of the results
-
 /// The first file that the scene refers to and whose contents are no longer those of the results; nothing
 /// where they are the same, and for results of versions that did not keep them.
 std::optional<std::string> changed_input(const results::FillResult& result, const process::Scene& scene) {
-  const auto then = std::find_if(result.topics.begin(), result.topics.end(),
-                                 [](const results::Topic& topic) { return topic.topic == kInputFiles; });
-  if (then == result.topics.end()) return std::nullopt;
-  const auto now = process::input_files(scene.text, scene.file);
-  for (std::size_t k = 0; k < now.size(); ++k)
-    if (k >= then->text.size() || then->text[k] != now[k].hash) return now[k].name;
-  return std::nullopt;
+  const auto then = process::recorded_input_files(result);
+  if (!then) return std::nullopt;
+  return process::changed_file(process::input_files(scene.text, scene.file), *then);
 }
 
 bool is_complete(const results::FillResult& result) {
@@ -67,14 +61,17 @@ void refuse_inputs_to_be_moved(const process::Scene& scene, const std::filesyste
                                 ", which the scene reads, with earlier results; choose another directory");
 }
 
-void add_input_files(const std::vector<process::InputFile>& files, results::FillResult& result) {
-  if (files.empty()) return;
-  results::Topic topic{kInputFiles, {}, {}};
-  for (const auto& file : files) {
-    topic.name.push_back(file.name);
-    topic.text.push_back(file.hash);
-  }
-  result.topics.push_back(std::move(topic));
+void refuse_changed_inputs(const process::Scene& scene, const std::vector<process::InputFile>& files,
+                           const std::filesystem::path& directory) {
+  const auto checkpoint = process::checkpoint_file(directory);
+  const auto then = process::read_input_record(directory);
+  if (!then || !std::filesystem::exists(checkpoint)) return;
+  if (const auto changed = process::changed_file(files, *then))
+    throw process::SceneError(checkpoint.string() +
+                              ": the checkpoint belongs to a different scene: the contents of " + *changed +
+                              " have changed since the run of " + scene.file.string() +
+                              " read it; run without --resume, which moves it to a backup folder, or choose "
+                              "another directory");
 }
 
 bool is_finished(const std::filesystem::path& directory, const process::Scene& scene,
@@ -99,13 +96,20 @@ bool is_finished(const std::filesystem::path& directory, const process::Scene& s
   return true;
 }
 
-void back_up_earlier_results(const std::filesystem::path& directory, bool resume) {
+void clear_for_run(const std::filesystem::path& directory, bool resume,
+                   const std::vector<process::InputFile>& files) {
   if (resume && std::filesystem::exists(process::checkpoint_file(directory))) return;
   write_output([&] {
     if (const auto folder = results::back_up_results(directory))
       std::fprintf(stderr, "note: earlier results and pictures in %s were moved to %s\n", directory.c_str(),
                    folder->c_str());
+    process::write_input_record(directory, files);
   });
+}
+
+void remove_checkpoint(const std::filesystem::path& directory) {
+  std::filesystem::remove(process::checkpoint_file(directory));
+  std::filesystem::remove(process::input_record_file(directory));
 }
 
 }  // namespace diefill::app

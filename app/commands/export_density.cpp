@@ -20,6 +20,7 @@
 #include "process/press_mesh/density_files.h"
 #include "process/press_mesh/density_grid.h"
 #include "process/press_mesh/read_press_mesh.h"
+#include "process/results/formatted.h"
 #include "process/results/storage/atomic_file.h"
 #include "render/scene3d/paraview_files.h"
 #include "render/scene3d/solid_mesh_vtu.h"
@@ -93,10 +94,9 @@ double cavity_mass(const results::FillResult& result, const DensityOptions& opti
 }
 
 std::string box_text(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper) {
-  char text[160];
-  std::snprintf(text, sizeof text, "x %.4g to %.4g, y %.4g to %.4g, z %.4g to %.4g mm", 1e3 * lower.x(),
-                1e3 * upper.x(), 1e3 * lower.y(), 1e3 * upper.y(), 1e3 * lower.z(), 1e3 * upper.z());
-  return text;
+  return results::formatted("x %.4g to %.4g, y %.4g to %.4g, z %.4g to %.4g mm", 1e3 * lower.x(),
+                            1e3 * upper.x(), 1e3 * lower.y(), 1e3 * upper.y(), 1e3 * lower.z(),
+                            1e3 * upper.z());
 }
 
 process::ElementDensity density_of(const results::FillResult& result, const results::SolidMesh& mesh,

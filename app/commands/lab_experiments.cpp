@@ -1,5 +1,7 @@
 #include "app/commands/lab_experiments.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -15,10 +17,13 @@
 #include "app/options/numbers.h"
 #include "app/options/output_file.h"
 #include "app/output.h"
+#include "app/own_command.h"
 #include "app/pictures/drawing.h"
 #include "app/stop_signals.h"
 #include "app/tables/lab_table_text.h"
+#include "process/input/sample_tools.h"
 #include "process/input/scene_error.h"
+#include "process/input/shell_word.h"
 #include "process/laboratory/published/comparisons.h"
 #include "process/laboratory/published/family_tables.h"
 #include "process/laboratory/published/fidelity.h"
@@ -40,6 +45,7 @@ namespace laboratory = process::laboratory;
 
 constexpr const char* kRemarks = "remarks.csv";
 constexpr const char* kComparisons = "comparisons.csv";
+constexpr const char* kPages = "../../process/laboratory";  // seen from the scenes
 constexpr const char* kSheet = "powder_sheet";
 constexpr const char* kSizes[] = {"coarse", "medium", "published"};
 
@@ -130,7 +136,8 @@ void make_films(const fs::path& directory, const laboratory::SceneExperiment& on
     if (arguments.film)
       make_film(results, directory / (run.name + ".mp4"), "diameter");
     else
-      std::printf("film of %s: diefill film %s --colour-by diameter\n", run.name.c_str(), results.c_str());
+      std::printf("film of %s: %s film %s --colour-by diameter\n", run.name.c_str(), own_command().c_str(),
+                  process::shell_word(results.string()).c_str());
   }
 }
 
@@ -156,15 +163,18 @@ std::vector<results::LabTable> tables_below(const fs::path& all) {
   return tables;
 }
 
-int fidelity(LabArguments arguments) {
+/// Where the page goes unless --page says so: into the source tree of the scenes, else to `all`.
+fs::path default_page(const fs::path& scenes, const fs::path& all) {
+  const fs::path pages = scenes / kPages;
+  const bool ours = process::in_source_tree(scenes / "..") && ::access(pages.c_str(), W_OK) == 0;
+  return (ours ? fs::weakly_canonical(pages) : all) / "FIDELITY.md";
+}
+
+int fidelity(const LabArguments& arguments) {
   set_up_drawing();
   const fs::path scenes = scenes_folder(arguments.scenes), all = all_of(arguments);
   const auto figures = laboratory::read_published_figures(scenes / laboratory::kPublishedFigures);
-  const fs::path table_folder = scenes / "../../process/laboratory";
-  fs::path page = arguments.page;
-  if (page.empty())
-    page =
-        fs::exists(table_folder) ? fs::weakly_canonical(table_folder) / "FIDELITY.md" : all / "FIDELITY.md";
+  const fs::path page = arguments.page.empty() ? default_page(scenes, all) : fs::path(arguments.page);
   const OutputFile file = {"--page", page, {".md"}};
   require_output_file(file,
                       {scenes / laboratory::kPublishedFigures, scenes / kRemarks, scenes / kComparisons});
@@ -177,7 +187,7 @@ int fidelity(LabArguments arguments) {
   const auto measured = tables_below(all);
   laboratory::take_over(kept, measured);
   auto tables = laboratory::tables_with_kept(kept, measured);
-  for (auto& table : laboratory::family_tables(table_folder)) tables.push_back(std::move(table));
+  for (auto& table : laboratory::family_tables(scenes / kPages)) tables.push_back(std::move(table));
   tables.push_back(laboratory::compared_figures(scenes / kComparisons, figures));
   write_output([&] {
     results::write_text_atomically(values, laboratory::csv_of(kept));
@@ -226,17 +236,20 @@ void add_options(CLI::App& command, LabArguments& arguments) {
 
 }  // namespace
 
-void write_figures(const std::filesystem::path& directory, const results::ExperimentResult& result) {
+PublishedFigures published_figures_in(const std::string& scenes) {
+  return laboratory::read_published_figures(scenes_folder(scenes) / laboratory::kPublishedFigures);
+}
+
+void write_figures(const std::filesystem::path& directory, const results::ExperimentResult& result,
+                   const PublishedFigures& published) {
   if (result.figures.empty()) return;
-  const auto table = laboratory::table_of_figures(
-      result, laboratory::read_published_figures(scenes_folder("") / laboratory::kPublishedFigures));
+  const auto table = laboratory::table_of_figures(result, published);
   results::write_lab_table(directory, table);
   std::printf("%s", lab_table_text(table).c_str());
 }
 
 std::string list_of_experiments(const std::string& scenes) {
-  const auto figures =
-      laboratory::read_published_figures(scenes_folder(scenes) / laboratory::kPublishedFigures);
+  const auto figures = published_figures_in(scenes);
   std::string text;
   for (const auto& one : laboratory::scene_experiments()) {
     int count = 0;
@@ -272,7 +285,9 @@ void add_lab_experiments(CLI::App& lab, Action& chosen) {
   auto* page = lab.add_subcommand("fidelity", "Run all experiments with scenes and write FIDELITY.md");
   auto arguments = std::make_shared<LabArguments>();
   add_options(*page, *arguments);
-  page->add_option("--page", arguments->page, "file to write (default: process/laboratory/FIDELITY.md)");
+  page->add_option("--page", arguments->page,
+                   "file to write (default: process/laboratory/FIDELITY.md of a source tree that may be "
+                   "written, else FIDELITY.md in the folder of --out)");
   page->callback([arguments, &chosen] { chosen = [arguments] { return fidelity(*arguments); }; });
 }
 

@@ -4,8 +4,10 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/commands/commands.h"
+#include "process/laboratory/published/published_figure.h"
 #include "process/results/studies/experiment_result.h"
 
 namespace diefill::app {
@@ -13,10 +15,16 @@ namespace diefill::app {
 /// Adds a command for each experiment, and `fidelity`, to `diefill lab`.
 void add_lab_experiments(CLI::App& lab, Action& chosen);
 
-/// Prints and writes the published figures that an experiment of a family has, as <experiment>_figures.csv
-/// and .json; nothing where it has none. Throws results::ResultError, and SceneError without the published
-/// figures.
-void write_figures(const std::filesystem::path& directory, const results::ExperimentResult& result);
+using PublishedFigures = std::vector<process::laboratory::PublishedFigure>;
+
+/// The published figures in the folder `scenes`; where that is empty, in the one that comes with the program.
+/// Throws SceneError where there are none.
+PublishedFigures published_figures_in(const std::string& scenes);
+
+/// Prints and writes what an experiment of a family has of published figures, as <experiment>_figures.csv
+/// and .json; nothing where it has none. Throws results::ResultError.
+void write_figures(const std::filesystem::path& directory, const results::ExperimentResult& result,
+                   const PublishedFigures& published);
 
 /// One line for each experiment: name, number of published figures, question.
 std::string list_of_experiments(const std::string& scenes);

@@ -6,6 +6,7 @@
 
 #include "app/pictures/drawing.h"
 #include "app/pictures/grain_colours.h"
+#include "process/results/formatted.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/result_file.h"
 #include "process/run/assemble.h"
@@ -23,12 +24,6 @@ constexpr double kFirstPicture = 10;     // s after the start
 constexpr double kPictureShare = 0.01;   // of the time that drawing may take
 constexpr std::size_t kMaxPoints = 400;  // of a curve
 constexpr int kPictureWidth = 1000;      // pixels
-
-std::string formatted(const char* format, double value) {
-  char text[80];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 }  // namespace
 
@@ -61,13 +56,14 @@ void LiveRun::take(const process::FillRun& run) {
   page_.share = state.share;
   page_.margins = state.margins;
   page_.subtitle = process::powder_names(scene_) +
-                   ", grains of d = " + formatted("%.3g mm", 1e3 * scene_.powder.grain_diameter);
-  page_.facts = {{"Time of the scene", formatted("%.4f s", state.time)},
-                 {"Stage", state.stage},
-                 {"Computing time", process::duration_text(run.wall_seconds())},
-                 {"Model powder in the cavity", formatted("%.4g g", 1e3 * state.filled_mass)},
-                 {"Grains", std::to_string(state.grains)},
-                 {"Speed", formatted("%.2f million sphere-steps/s", 1e-6 * state.sphere_steps_per_second)}};
+                   ", grains of d = " + results::formatted("%.3g mm", 1e3 * scene_.powder.grain_diameter);
+  page_.facts = {
+      {"Time of the scene", results::formatted("%.4f s", state.time)},
+      {"Stage", state.stage},
+      {"Computing time", process::duration_text(run.wall_seconds())},
+      {"Model powder in the cavity", results::formatted("%.4g g", 1e3 * state.filled_mass)},
+      {"Grains", std::to_string(state.grains)},
+      {"Speed", results::formatted("%.2f million sphere-steps/s", 1e-6 * state.sphere_steps_per_second)}};
   const double values[] = {1e3 * state.filled_mass, 1e3 * state.kinetic_energy};
   for (std::size_t k = 0; k < page_.curves.size(); ++k) {
     page_.curves[k].x.push_back(state.time);
@@ -97,7 +93,7 @@ void LiveRun::draw(const process::FillRun& run) {
   render::ViewOptions options;
   colour_grains(options, "speed", shown, shown);
   page_.picture = render::png_bytes(render::compose_snapshot(shown, options).image, kPictureWidth);
-  page_.picture_caption = "Powder and tools at t = " + formatted("%.4f s", run.simulation().time()) +
+  page_.picture_caption = "Powder and tools at t = " + results::formatted("%.4f s", run.simulation().time()) +
                           ", cut open; grains coloured by speed.";
   std::fesetenv(&floating_point);
   const Seconds pause = (Clock::now() - start) / kPictureShare;

@@ -1,5 +1,6 @@
 #include "app/commands/scene_choice.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -9,6 +10,8 @@
 #include <stop_token>
 #include <thread>
 
+#include "app/options/choices.h"
+#include "process/input/scene_error.h"
 #include "process/plan/setting.h"
 #include "process/plan/variant_setting.h"
 #include "process/powder/material.h"
@@ -89,6 +92,10 @@ CLI::Option* add_changes(CLI::App& command, std::vector<std::string>& changes) {
       ->allow_extra_args(false);
 }
 
+CLI::Option* add_variant(CLI::App& command, std::string& variant) {
+  return command.add_option("--variant", variant, "take this [[variant]] of the scene, by its name");
+}
+
 process::Scene changed_scene(const std::string& file, const std::vector<std::string>& changes) {
   if (changes.empty()) return process::read_scene(file);
   process::refuse_changes_of_nothing(changes);
@@ -133,6 +140,26 @@ std::vector<process::Variant> chosen_variants(const std::string& file, const std
     said = chosen;
   }
   return variants;
+}
+
+std::vector<std::string> names_of_variants(const std::string& file) {
+  std::vector<std::string> names;
+  if (!process::has_variants(process::read_scene(file))) return names;
+  for (const auto& variant : process::read_variants(file)) names.push_back(variant.name);
+  return names;
+}
+
+process::Scene chosen_variant(const std::string& file, const std::string& name, const std::string& setting) {
+  const auto names = names_of_variants(file);
+  if (names.empty()) throw process::SceneError("--variant: " + file + " has no [[variant]]");
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at == names.end()) throw process::SceneError("--variant: " + unknown_name(name, names));
+  const auto variants = chosen_variants(file, setting);
+  auto scene = process::plan::settled_scene(variants[static_cast<std::size_t>(at - names.begin())].scene,
+                                            std::nullopt);
+  process::refuse_excessive_work(scene);
+  if (setting.empty()) print_setting_choices(scene);
+  return scene;
 }
 
 process::Tooling prepared_tooling(const process::Scene& scene, bool show_progress) {

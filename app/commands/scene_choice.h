@@ -19,6 +19,9 @@ CLI::Option* add_setting(CLI::App& command, std::string& setting);
 /// conditions.
 CLI::Option* add_changes(CLI::App& command, std::vector<std::string>& changes);
 
+/// Adds --variant to a command: the name of one [[variant]] of the scene. Returns it for conditions.
+CLI::Option* add_variant(CLI::App& command, std::string& variant);
+
 /// Reads the scene with `changes` (of --set) applied. Throws process::SceneError.
 process::Scene changed_scene(const std::string& file, const std::vector<std::string>& changes);
 
@@ -36,6 +39,13 @@ process::Scene chosen_scene(const std::string& file, const std::string& setting,
 /// Reads the scene's variants. A setting of this name (empty: none) gives all of them the same numbers, and
 /// what it chose is said, once where it is the same. Throws process::SceneError.
 std::vector<process::Variant> chosen_variants(const std::string& file, const std::string& setting);
+
+/// Names of the scene's variants; empty: it has none. Throws process::SceneError.
+std::vector<std::string> names_of_variants(const std::string& file);
+
+/// The variant of this name, as chosen_scene() gives a scene; a setting gives it the numbers that suit all
+/// variants. Throws process::SceneError.
+process::Scene chosen_variant(const std::string& file, const std::string& name, const std::string& setting);
 
 /// The scene's tools, ready to be filled, with progress where requested. Throws process::SceneError or
 /// geometry::MeshError.

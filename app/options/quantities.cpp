@@ -9,6 +9,9 @@ using process::Dimension;
 
 /// `value` in the unit that people use for such a quantity.
 std::string shown(double value, Dimension dimension) {
+  constexpr double kMicrometresBelow = 1e-5;  // m
+  if (dimension == Dimension::length && value > 0 && value < kMicrometresBelow)
+    return process::number_text(1e6 * value) + " um";
   if (dimension == Dimension::length) return process::number_text(1e3 * value) + " mm";
   if (dimension == Dimension::mass) return process::number_text(1e3 * value) + " g";
   if (dimension == Dimension::density) return process::number_text(1e-3 * value) + " g/cm^3";

@@ -6,6 +6,9 @@ set(CPACK_PACKAGE_CONTACT "The diefill authors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "predicts how powder fills a die")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
+# Whatever the umask of who packs.
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+  WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -16,6 +19,7 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Density maps of filled dies from CAD to
 discrete element method\nwith coarse graining. Program, manual page, documentation and sample tools.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-dejavu-core, libgl1-mesa-dri, libosmesa6")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libdiefill-dev)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Static libraries and headers of diefill, for find_package(diefill).")
@@ -35,5 +39,6 @@ if(TARGET _results)
   math(EXPR next "${minor} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "diefill (= ${PROJECT_VERSION}), python3 (>= ${major}.${minor}), \
 python3 (<< ${major}.${next}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib")
 endif()
 include(CPack)

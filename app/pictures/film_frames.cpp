@@ -34,15 +34,22 @@ results::FillResult at_time(const results::FillResult& result, double time, bool
   return process::result_at(result, std::clamp(time, first, result.powder.time), measured);
 }
 
-/// Shows all sources at the end and at their first instant, so that all frames are to one scale.
-render::ViewChoice common_view(const PictureRequest& request) {
+/// What the first instant and the end show.
+render::ViewChoice whole_view(const results::FillResult& result, const render::Camera& camera) {
+  const double aspect = render::scene_aspect(result);
+  const auto first = render::choose_view(at_time(result, 0, false), aspect, camera),
+             end = render::choose_view(result, aspect, camera);
+  if (first.width <= 0) return end;
+  return end.width > 0 ? render::united(first, end) : first;
+}
+
+/// Shows what is to be seen of all sources, so that all frames are to one scale.
+render::ViewChoice common_view(const PictureRequest& request, bool turntable) {
   render::ViewChoice common;
   for (const auto& source : request.sources) {
-    const double aspect = render::scene_aspect(source.result);
-    for (const double time : {0.0, source.result.powder.time}) {
-      const auto view = render::choose_view(at_time(source.result, time, false), aspect, request.camera);
-      if (view.width > 0) common = common.width > 0 ? render::united(common, view) : view;
-    }
+    const auto view =
+        turntable ? whole_view(source.result, request.camera) : view_of_film(source.result, request.camera);
+    if (view.width > 0) common = common.width > 0 ? render::united(common, view) : view;
   }
   return common;
 }
@@ -54,6 +61,11 @@ std::vector<const results::FillResult*> results_of(const PictureRequest& request
 }
 
 }  // namespace
+
+render::ViewChoice view_of_film(const results::FillResult& result, const render::Camera& camera) {
+  const auto passage = render::view_of_passage(result, render::scene_aspect(result), camera);
+  return passage ? *passage : whole_view(result, camera);
+}
 
 FilmFrames::FilmFrames(const PictureRequest& request, bool turntable)
     : request_(request), turntable_(turntable), times_(times_of(request.sources)) {
@@ -79,7 +91,7 @@ void FilmFrames::prepare() {
     common_.upper = range.upper;
   }
   fix_speed_scale(common_, request.colour_by, results);
-  view_ = common_view(request);
+  view_ = common_view(request, turntable_);
 }
 
 render::ViewOptions FilmFrames::options_of(const results::FillResult& shown, std::size_t n) const {

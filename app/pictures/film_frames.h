@@ -12,6 +12,10 @@ namespace diefill::app {
 /// Most runs in one frame: two above two.
 inline constexpr std::size_t kMaxRunsInAFilm = 4;
 
+/// One view for all instants of a result: close to the cavity where a shoe crosses it; otherwise what the
+/// first instant and the end show.
+render::ViewChoice view_of_film(const results::FillResult& result, const render::Camera& camera);
+
 /// What the frames of a film have in common. The sources must outlive it. Draws nothing before the first
 /// frame, so that frames can be drawn in processes of their own.
 class FilmFrames {

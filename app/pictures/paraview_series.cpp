@@ -1,10 +1,10 @@
 #include "app/pictures/paraview_series.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 
 #include "process/measure/earlier_instant.h"
+#include "process/results/formatted.h"
 
 namespace diefill::app {
 namespace {
@@ -27,9 +27,7 @@ PointArray scalars(const std::string& name, std::size_t count, const Value& valu
 }
 
 std::string numbered(const char* format, std::size_t first, std::size_t second = 0) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, first, second);
-  return text;
+  return results::formatted(format, first, second);
 }
 
 /// Whether a tool stands where it stood, up to the rounding of its pose.

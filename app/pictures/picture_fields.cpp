@@ -1,7 +1,6 @@
 // Pictures of fields: maps, sections, differences, velocities, displacements.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <limits>
 #include <numbers>
@@ -14,6 +13,7 @@
 #include "process/measure/figures/variation.h"
 #include "process/measure/measure.h"
 #include "process/measure/volumes/partial_volumes.h"
+#include "process/results/formatted.h"
 #include "render/fields/arrow_map.h"
 #include "render/fields/difference_map.h"
 #include "render/fields/field_places.h"
@@ -22,9 +22,7 @@ namespace diefill::app {
 namespace {
 
 std::string in_seconds(double time) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f s", time);
-  return text;
+  return results::formatted("%.3f s", time);
 }
 
 results::Field2D map_of(const PictureRequest& request, const results::FillResult& result) {

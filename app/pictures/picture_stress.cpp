@@ -1,11 +1,10 @@
 // Pictures of the stress in the powder.
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <memory>
 
 #include "app/pictures/picture_files.h"
-#include "process/measure/fields/plane_sample.h"
-#include "process/measure/fields/ring_sample.h"
+#include "app/pictures/sampled_fields.h"
 #include "process/measure/fields/stress_field.h"
 
 namespace diefill::app {
@@ -22,11 +21,17 @@ double largest(const std::vector<results::Field2D>& fields) {
   return found;
 }
 
-/// One field of pressure for each source, given in kPa and shown in Pa where all are below 1 kPa, and the
-/// pictures of all on one scale.
-Pictures draw_pressures(const PictureRequest& request, const std::string& kind,
-                        std::vector<results::Field2D> fields,
-                        const std::vector<results::SectionPlane>& planes) {
+/// kPa.
+ValueOfResult pressure_with(double averaging_width) {
+  return [averaging_width](const results::FillResult& result) -> process::PlaneValue {
+    const auto stress = std::make_shared<const process::StressField>(result, averaging_width);
+    return [stress](const Eigen::Vector3d& point) { return stress->pressure(point) / kKilopascal; };
+  };
+}
+
+/// The pictures of all sources on one scale, in Pa where all pressures are below 1 kPa.
+Pictures draw_pressures(const PictureRequest& request, const std::string& kind, SampledFields sampled) {
+  auto& fields = sampled.fields;
   for (auto& field : fields) field.quantity = std::string("pressure");
   render::FieldStyle style;
   style.unit = "kPa";
@@ -38,39 +43,20 @@ Pictures draw_pressures(const PictureRequest& request, const std::string& kind,
         if (std::isfinite(value)) value *= kKilopascal;
   }
   style.note = "one third of the trace of the stress from contacts and motion; compression positive";
-  return write_fields(request, kind, fields, planes, style);
+  return write_fields(request, kind, fields, sampled.planes, style);
 }
 
 }  // namespace
 
 Pictures make_pressure_map(const PictureRequest& request) {
   require_ring(request, "pressure", "pressure-section");
-  std::vector<results::Field2D> fields;
-  for (const auto& source : request.sources) {
-    const process::StressField stress(source.result, request.averaging_width);
-    fields.push_back(process::sample_ring(
-        source.result.powder, source.result.tools, source.result.cavity, request.averaging_width,
-        [&](const Eigen::Vector3d& point) { return stress.pressure(point) / kKilopascal; }));
-  }
-  return draw_pressures(request, "pressure", std::move(fields), {});
+  return draw_pressures(request, "pressure", sampled_maps(request, pressure_with(request.averaging_width)));
 }
 
 Pictures make_pressure_section(const PictureRequest& request) {
-  std::vector<results::Field2D> fields;
-  std::vector<results::SectionPlane> planes;
-  for (const auto& source : request.sources) {
-    const auto& result = source.result;
-    const auto plane = request.plane_given ? request.plane : result.sections.front().plane;
-    const process::StressField stress(result, request.averaging_width);
-    fields.push_back(process::sample_plane(
-                         result.powder, result.solid_fraction, result.tools, plane, request.averaging_width,
-                         [&](const Eigen::Vector3d& point) { return stress.pressure(point) / kKilopascal; })
-                         .field);
-    if (fields.back().first.empty())
-      throw std::invalid_argument("pressure-section: no powder near the plane; move it with --origin");
-    planes.push_back(plane);
-  }
-  return draw_pressures(request, "pressure_section", std::move(fields), planes);
+  return draw_pressures(
+      request, "pressure_section",
+      sampled_sections(request, "pressure-section", pressure_with(request.averaging_width)));
 }
 
 }  // namespace diefill::app

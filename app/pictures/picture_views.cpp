@@ -3,6 +3,7 @@
 
 #include "app/output.h"
 #include "app/pictures/film_file.h"
+#include "app/pictures/film_frames.h"
 #include "app/pictures/grain_colours.h"
 #include "app/pictures/picture_files.h"
 #include "process/measure/earlier_instant.h"
@@ -44,11 +45,7 @@ Pictures make_frames(const PictureRequest& request) {
     render::ViewOptions options = options_of(request);
     fix_speed_scale(options, request.colour_by, {&result});
     const bool measured = request.colour_by == "solid-fraction";
-    const double aspect = render::scene_aspect(result);
-    options.view = render::choose_view(process::result_at(result, result.instants.front().time, false),
-                                       aspect, request.camera);
-    const auto last = render::choose_view(result, aspect, request.camera);
-    if (last.width > options.view->width) options.view = last;
+    options.view = view_of_film(result, request.camera);
     const auto folder = request.out / file_of(request, "frames", source).stem();
     const DirectoryToFill filled(folder);
     for (std::size_t n = 0; n < result.instants.size(); ++n) {

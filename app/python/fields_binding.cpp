@@ -15,6 +15,8 @@ using results::Field2D;
 using results::ProbeSeries;
 using results::Profile;
 using results::SectionField;
+using results::Stage;
+using results::ToolCheck;
 using results::ToolState;
 
 /// A copy of three numbers.
@@ -69,6 +71,23 @@ void add_curves(py::module_& module) {
       .def("__getitem__", column_of);
 }
 
+void add_records(py::module_& module) {
+  py::class_<Stage>(module, "Stage", "One stage of the schedule as it happened.")
+      .def_readonly("tool", &Stage::tool, "that moved; empty: none did")
+      .def_readonly("words", &Stage::words, "such as \"1 passage at 0.2 m/s\"")
+      .def_readonly("start", &Stage::start, "s since the start of the scene")
+      .def_readonly("end", &Stage::end, "s since the start of the scene");
+  py::class_<ToolCheck>(module, "ToolCheck", "What the check of a tool's mesh and wall spheres found.")
+      .def_readonly("tool", &ToolCheck::tool)
+      .def_readonly("file", &ToolCheck::file, "its CAD file, without folders")
+      .def_readonly("findings", &ToolCheck::findings, "about the mesh; empty: nothing to remark upon")
+      .def_readonly("volume", &ToolCheck::volume, "m^3, enclosed by the mesh")
+      .def_readonly("mean_deviation", &ToolCheck::mean_deviation,
+                    "m, of the wall spheres' envelope from the CAD surface")
+      .def_readonly("largest_deviation", &ToolCheck::largest_deviation, "m")
+      .def_readonly("largest_gap", &ToolCheck::largest_gap, "m, between wall spheres");
+}
+
 }  // namespace
 
 void add_fields(py::module_& module) {
@@ -93,6 +112,7 @@ void add_fields(py::module_& module) {
                              "(3,) unit vector")
       .def_readonly("field", &SectionField::field);
   add_curves(module);
+  add_records(module);
   py::class_<ToolState>(module, "Tool", "A tool as it stood at the end of the run, laboratory frame.")
       .def_readonly("name", &ToolState::name)
       .def_readonly("role", &ToolState::role, "die, core, punch, shoe or plate")

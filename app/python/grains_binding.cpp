@@ -12,6 +12,7 @@ using results::ContactStress;
 using results::GrainSolidFraction;
 using results::Instant;
 using results::PowderState;
+using results::SolidFractionSummary;
 
 template <class Owner>
 auto shown_flags(std::vector<std::uint8_t> Owner::*member) {
@@ -61,10 +62,24 @@ void add_powder(py::module_& module) {
       .def("__len__", [](const PowderState& powder) { return powder.id.size(); });
 }
 
+void add_summary(py::module_& module) {
+  py::class_<SolidFractionSummary>(
+      module, "Summary",
+      "Solid fraction over the closed cells of the cavity at least 2 d below the powder's surface.")
+      .def_readonly("mean", &SolidFractionSummary::mean, "sum of solid volumes over sum of cell volumes")
+      .def_readonly("arithmetic_mean", &SolidFractionSummary::arithmetic_mean, "of the grains' values")
+      .def_readonly("std", &SolidFractionSummary::std)
+      .def_readonly("min", &SolidFractionSummary::min)
+      .def_readonly("max", &SolidFractionSummary::max)
+      .def_readonly("cv", &SolidFractionSummary::cv, "std over arithmetic_mean")
+      .def_readonly("grains", &SolidFractionSummary::grains, "grains counted");
+}
+
 }  // namespace
 
 void add_grains(py::module_& module) {
   add_powder(module);
+  add_summary(module);
   py::class_<GrainSolidFraction>(module, "SolidFraction", "Voronoi measure of every grain.")
       .def_property_readonly("cell_volume", shown(&GrainSolidFraction::cell_volume), "(n,) m^3")
       .def_property_readonly("solid_fraction", shown(&GrainSolidFraction::solid_fraction),
@@ -85,6 +100,8 @@ void add_grains(py::module_& module) {
       .def_property_readonly("orientation", shown(&Instant::orientation),
                              "(n, 4) unit quaternion w, x, y, z, body to laboratory")
       .def_property_readonly("velocity", shown(&Instant::velocity), "(n, 3) m/s")
+      .def_property_readonly("kind", shown(&Instant::kind),
+                             "(n,) number of the grain's type; empty for powder of one size")
       .def_property_readonly("tool_orientation", shown(&Instant::tool_orientation),
                              "(tools, 4) unit quaternion from the tool's place at the end of the run")
       .def_property_readonly("tool_displacement", shown(&Instant::tool_displacement),

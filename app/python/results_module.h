@@ -5,9 +5,9 @@
 
 namespace diefill::python {
 
-/// Powder, solid fraction, contact stress and instants: arrays over grains.
+/// Powder, solid fraction with its summary, contact stress and instants: arrays over grains.
 void add_grains(pybind11::module_& module);
-/// Maps, sections, profiles, probes, tools and the cavity.
+/// Maps, sections, profiles, probes, stages, tools with their checks, and the cavity.
 void add_fields(pybind11::module_& module);
 /// A whole run, and the function that reads it.
 void add_run(pybind11::module_& module);

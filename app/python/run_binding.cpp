@@ -34,11 +34,15 @@ py::dict topics_of(const FillResult& result) {
   return topics;
 }
 
-py::list instants_of(const py::object& self) {
-  py::list instants;
-  for (const auto& instant : self.cast<const FillResult&>().instants)
-    instants.append(py::cast(&instant, py::return_value_policy::reference_internal, self));
-  return instants;
+/// A property: the entries of a list in `owner` in their order, each alive as long as it is looked at.
+template <class Entry>
+auto in_order(std::vector<Entry> FillResult::*list) {
+  return [list](const py::object& self) {
+    py::list entries;
+    for (const Entry& entry : self.cast<const FillResult&>().*list)
+      entries.append(py::cast(&entry, py::return_value_policy::reference_internal, self));
+    return entries;
+  };
 }
 
 void add_texts(py::class_<FillResult>& run) {
@@ -67,6 +71,7 @@ void add_run(py::module_& module) {
       .def_readonly("solid_fraction", &FillResult::solid_fraction, "of every grain")
       .def_readonly("contact_stress", &FillResult::contact_stress, "of every grain")
       .def_readonly("cavity", &FillResult::cavity)
+      .def_readonly("summary", &FillResult::summary, "solid fraction of the grains in the cavity")
       .def_readonly("figures", &FillResult::figures,
                     "numbers of report.json by name; figure_meaning() explains them")
       .def_readonly("phase_seconds", &FillResult::phase_seconds,
@@ -80,7 +85,13 @@ void add_run(py::module_& module) {
       .def_property_readonly("probes",
                              by_name(&FillResult::probes, [](const auto& probe) { return probe.name; }))
       .def_property_readonly("tools", by_name(&FillResult::tools, [](const auto& tool) { return tool.name; }))
-      .def_property_readonly("instants", instants_of, "earlier times, ascending (measure.snapshot_interval)");
+      .def_property_readonly("instants", in_order(&FillResult::instants),
+                             "earlier times, ascending (measure.snapshot_interval)")
+      .def_property_readonly("stages", in_order(&FillResult::stages), "the schedule as it happened")
+      .def_property_readonly("other_cavities", in_order(&FillResult::other_cavities),
+                             "smaller ones; figures and maps are of `cavity`")
+      .def_property_readonly("tool_checks",
+                             by_name(&FillResult::tool_checks, [](const auto& check) { return check.tool; }));
   module.def(
       "read", [](const std::string& directory) { return results::read_results(directory); },
       py::arg("directory"),

@@ -13,10 +13,12 @@ _diefill() {
     case "$longer" in
 )";
 
-// Options with a value of any kind complete to files: most of them are files.
+// Options with a value of any kind complete to files: most of them are files. A word in which blanks are
+// escaped is left to the shell's own completion.
 constexpr const char* kClosing = R"(  esac
   if [[ $choices == "<file>" || -z $choices ]]; then
-    COMPREPLY=($(compgen -f -- "$word"))
+    mapfile -t COMPREPLY < <(compgen -f -- "$word")
+    [[ ${#COMPREPLY[@]} -gt 0 ]] || compopt -o default 2>/dev/null
   else
     COMPREPLY=($(compgen -W "$choices" -- "$word"))
   fi

@@ -1,8 +1,36 @@
 #include "app/shell/manual_page.h"
 
+#include "app/exit_code.h"
+
 namespace diefill::app {
 
 namespace {
+
+/// A word and what it means.
+struct Entry {
+  std::string word, meaning;
+};
+
+/// Of scripts; app/README.md has the same.
+std::vector<Entry> exit_codes() {
+  const auto entry = [](ExitCode code, const char* meaning) { return Entry{std::to_string(code), meaning}; };
+  return {
+      entry(kDone, "Done."),
+      entry(kFailed, "Failed: a full disk, a missing library; not the fault of the scene."),
+      entry(kBadInput, "Bad input: the scene, a CAD file, results or the command line."),
+      entry(kOutOfRange, "The run left the valid range of the method."),
+      entry(kUnfinished,
+            "numerics.max_time was reached before the scene ended: the results are marked unfinished, and "
+            "--resume continues the run."),
+      entry(kInterrupted, "Stopped by the user; a run leaves a checkpoint for --resume.")};
+}
+
+std::vector<Entry> environment() {
+  return {{"DIEFILL_PROGRESS_SECONDS",
+           "Time in seconds between lines of progress where standard error is no terminal (default: 10)."},
+          {"XDG_CACHE_HOME",
+           "Folder of caches (default: ~/.cache): diefill/pilots in it keeps the pilots of diefill plan."}};
+}
 
 /// `text` so that roff prints it as it is, line by line.
 std::string roff(const std::string& text) {
@@ -37,6 +65,12 @@ std::string as_it_is(const std::string& text) {
   return text.empty() ? "" : ".PP\n.nf\n" + roff(text) + "\n.fi\n";
 }
 
+std::string list_of(const char* heading, const std::vector<Entry>& entries) {
+  std::string text = std::string(".SH ") + heading + "\n";
+  for (const auto& entry : entries) text += ".TP\n.B " + roff(entry.word) + "\n" + roff(entry.meaning) + "\n";
+  return text;
+}
+
 std::string usage_of(const CommandText& command) {
   std::string text = "diefill " + command.path();
   for (const auto& option : command.options)
@@ -63,6 +97,7 @@ std::string manual_page(const CommandText& program, const std::string& version) 
   text += ".SH COMMANDS\n";
   for (const auto* command : all_commands(program))
     if (!command->words.empty()) text += section_of(*command);
+  text += list_of("\"EXIT STATUS\"", exit_codes()) + list_of("ENVIRONMENT", environment());
   return text + ".SH EXAMPLES\n" + as_it_is(program.footer);
 }
 

@@ -1,18 +1,16 @@
 #include "app/tables/calibration_table.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "app/tables/text_column.h"
+#include "process/results/formatted.h"
 
 namespace diefill::app {
 namespace {
 
 std::string number(double value, int digits = 3) {
   if (!std::isfinite(value)) return "-";
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
+  return results::formatted("%.*g", digits, value);
 }
 
 std::string with_unit(const std::string& text, const std::string& unit) {
@@ -37,12 +35,12 @@ std::string measurements_of(const results::Calibration& calibration) {
   std::string lines =
       cell("measurement", 30) + cell("measured", 22) + cell("simulated", 12) + "over powders that agree\n";
   for (const auto& measurement : calibration.measurements) {
-    if (measurement.data.size() > kMax) {
+    const bool listed = measurement.data.size() <= kMax;
+    if (!listed)
       lines += cell(measurement.name, 30) + std::to_string(measurement.data.size()) + " values, chi^2 " +
                number(measurement.chi_square) + (measurement.fitted ? "" : " (check)") + '\n';
-      continue;
-    }
-    for (const auto& datum : measurement.data) {
+    for (std::size_t k = 0; listed && k < measurement.data.size(); ++k) {
+      const auto& datum = measurement.data[k];
       const std::string at =
           std::isfinite(datum.x) ? " at " + with_unit(number(datum.x), measurement.x_unit) : "";
       lines +=

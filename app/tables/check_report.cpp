@@ -4,6 +4,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "process/estimate/wording.h"
+
 namespace diefill::app {
 
 namespace {
@@ -96,16 +98,21 @@ void add_mesh_marks(const process::Tool& tool, std::vector<render::FindingMark>&
   }
 }
 
-void print_cavity(const char* name, const geometry::Cavity& cavity, double fill_plane) {
+void print_cavity(const std::string& name, const geometry::Cavity& cavity, double fill_plane) {
   const Eigen::Vector3d place = 1e3 * cavity.narrowest_place;
   std::printf(
       "%s: volume %.4g cm3, depth %.2f mm below z = %.2f mm, narrowest width %.3f mm near (%.2f, %.2f, "
       "%.2f) mm",
-      name, 1e6 * cavity.volume, 1e3 * cavity.box.size()[2], 1e3 * fill_plane, 1e3 * cavity.narrowest_width,
-      place[0], place[1], place[2]);
+      name.c_str(), 1e6 * cavity.volume, 1e3 * cavity.box.size()[2], 1e3 * fill_plane,
+      1e3 * cavity.narrowest_width, place[0], place[1], place[2]);
   if (cavity.is_ring)
     std::printf(", ring of %.2f to %.2f mm diameter", 2e3 * cavity.inner_radius, 2e3 * cavity.outer_radius);
   std::printf("\n");
+}
+
+/// "cavity 2 at x = 12.5 mm, y = 0 mm", as estimates and figures number them.
+std::string numbered(std::size_t number, const geometry::Cavity& cavity) {
+  return "cavity " + std::to_string(number) + process::estimate::place_text(cavity.axis_origin.head<2>());
 }
 
 Json cavity_as_json(const geometry::Cavity& cavity) {
@@ -169,11 +176,15 @@ void print_cavities(const process::Tooling& tooling) {
     std::printf("cavity: none below the fill plane, z = %.2f mm\n", 1e3 * tooling.fill_plane);
     return;
   }
-  print_cavity("cavity", tooling.cavity, tooling.fill_plane);
-  for (const auto& other : tooling.other_cavities) print_cavity("smaller cavity", other, tooling.fill_plane);
-  if (!tooling.other_cavities.empty())
-    std::printf("figures and maps refer to the largest of the %zu cavities; report.json lists the others\n",
-                tooling.other_cavities.size() + 1);
+  if (tooling.other_cavities.empty()) {
+    print_cavity("cavity", tooling.cavity, tooling.fill_plane);
+    return;
+  }
+  print_cavity(numbered(1, tooling.cavity), tooling.cavity, tooling.fill_plane);
+  for (std::size_t k = 0; k < tooling.other_cavities.size(); ++k)
+    print_cavity(numbered(k + 2, tooling.other_cavities[k]), tooling.other_cavities[k], tooling.fill_plane);
+  std::printf("figures and maps refer to the largest of the %zu cavities; report.json lists the others\n",
+              tooling.other_cavities.size() + 1);
 }
 
 Json tools_as_json(const process::Tooling& tooling, const process::Diagnosis& diagnosis) {

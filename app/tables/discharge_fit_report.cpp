@@ -1,9 +1,12 @@
 #include "app/tables/discharge_fit_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "process/input/units.h"
 #include "process/results/csv_field.h"
 #include "process/results/json_numbers.h"
 #include "process/results/rounding.h"
@@ -29,14 +32,70 @@ bool is_rate(continuum::DischargeLaw law) {
   return law == continuum::DischargeLaw::beverloo_round || law == continuum::DischargeLaw::beverloo_slit;
 }
 
-bool has_x(continuum::DischargeLaw law) {
-  return law == continuum::DischargeLaw::moving_shoe || law == continuum::DischargeLaw::transient;
+/// A factor of the flow, and between which values powders have it.
+struct UsualFactor {
+  const char* name;
+  double least, most;
+};
+
+UsualFactor usual_factor(const continuum::DischargeFit& fit) {
+  if (is_rate(fit.law)) return {"C", 0.1, 3};
+  return fit.law == continuum::DischargeLaw::power_law ? UsualFactor{"C_S", 0.01, 10}
+                                                       : UsualFactor{"C_F", 0.05, 20};
+}
+
+/// What is said of a factor that no powder has; empty: it is a usual one.
+std::string unit_remark(const continuum::DischargeFit& fit) {
+  const auto [name, least, most] = usual_factor(fit);
+  const double factor = fit.number(name);
+  // A C_F that the points do not determine may have any value, the rate that they end with has not.
+  const double at_end =
+      fit.names.front() == "C_B"
+          ? continuum::rate_share({fit.number("C_B"), fit.number("C_I"), factor, fit.number("beta")},
+                                  fit.largest_x)
+          : factor;
+  if ((factor >= least && factor <= most) || (at_end >= least && at_end <= most)) return {};
+  return name + (" = " + results::in_significant_digits(factor, 3)) + " is outside what powders have, " +
+         process::number_text(least) + " to " + process::number_text(most) +
+         ": check the units of density, " + (is_rate(fit.law) ? "rate" : "mass") +
+         " and width, in the heading of the table and in the options";
+}
+
+/// Whether the mass rises in the last fifth of the time by less than a quarter of its mean rate.
+bool ends_flat(std::vector<continuum::DischargePoint> curve) {
+  constexpr double kLast = 0.2, kOfMeanRate = 0.25;
+  const auto by_time = [](const auto& one, const auto& other) { return one.time < other.time; };
+  std::sort(curve.begin(), curve.end(), by_time);
+  const auto &first = curve.front(), &last = curve.back();
+  if (!(last.time > first.time)) return false;
+  continuum::DischargePoint then;
+  then.time = last.time - kLast * (last.time - first.time);
+  const auto& before = *std::prev(std::upper_bound(curve.begin(), curve.end(), then, by_time));
+  return (last.value - before.value) / (last.time - before.time) <
+         kOfMeanRate * (last.value - first.value) / (last.time - first.time);
+}
+
+/// The same of one of several slits.
+bool any_ends_flat(const continuum::DischargeFit& fit) {
+  std::map<double, std::vector<continuum::DischargePoint>> slits;
+  for (const auto& point : fit.used) slits[point.width].push_back(point);
+  return std::any_of(slits.begin(), slits.end(), [](const auto& slit) { return ends_flat(slit.second); });
+}
+
+/// What to beware of in an outflow over time.
+void add_transient_remarks(const continuum::DischargeFit& fit, std::vector<std::string>& said) {
+  if (any_ends_flat(fit))
+    said.emplace_back(
+        "the mass hardly rises in the last fifth of the time, as once the hopper is empty, which makes C_F "
+        "and beta wrong; leave it out with --until");
+  said.emplace_back("points of one outflow are not independent: the deviations are lower bounds; repeat it");
 }
 
 }  // namespace
 
 std::vector<std::string> remarks(const continuum::DischargeFit& fit) {
   std::vector<std::string> said;
+  if (const std::string remark = unit_remark(fit); !remark.empty()) said.push_back(remark);
   if (fit.left_out > 0)
     said.push_back(std::to_string(fit.left_out) +
                    " points left out: the flow has not begun there (x below 0: faster than 5 sqrt(gD), or "
@@ -57,9 +116,7 @@ std::vector<std::string> remarks(const continuum::DischargeFit& fit) {
           (share > 1 ? " is not determined by these data"
                      : " is known to within " + results::in_significant_digits(100 * share, 2) + " % only") +
           "; the curve is better determined than its parameters, see the band of the chart");
-  if (fit.law == continuum::DischargeLaw::transient)
-    said.emplace_back(
-        "points of one outflow are not independent: the deviations are lower bounds; repeat it");
+  if (fit.law == continuum::DischargeLaw::transient) add_transient_remarks(fit, said);
   return said;
 }
 
@@ -102,7 +159,7 @@ Json fit_as_json(const continuum::DischargeFit& fit, const continuum::DischargeD
       row.push_back(results::json_number(fit.fit.covariance(i, j)));
     json["covariance"].push_back(row);
   }
-  if (has_x(fit.law)) json["largest_x"] = fit.largest_x;
+  if (!is_rate(fit.law)) json["largest_x"] = fit.largest_x;
   json["remarks"] = remarks(fit);
   return json;
 }

@@ -7,6 +7,8 @@
 
 namespace diefill::app {
 
+/// "fills", "too fast", "open" or "nothing to fill".
+const char* name_of(process::estimate::Answer answer);
 /// All statements, each with source, range and error, and the numbers.
 void print_estimate(const process::estimate::Estimate& estimate);
 /// SI units.

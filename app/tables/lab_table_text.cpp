@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "app/tables/text_column.h"
+#include "process/results/formatted.h"
 #include "process/results/rounding.h"
 
 namespace diefill::app {
@@ -17,9 +17,7 @@ using Cells = std::array<std::string, 8>;
 
 std::string digits(double value, const char* format) {
   if (!std::isfinite(value)) return "-";
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
+  return results::formatted(format, value);
 }
 
 Cells cells_of(const results::LabRow& row) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/tables/pilot_report.h"
+#include "process/results/formatted.h"
 #include "process/tooling/progress.h"
 
 namespace diefill::app {
@@ -15,13 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace plan = process::plan;
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[200];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
-
 /// A line of the table: its text for each choice.
 struct Row {
   const char* name;
@@ -29,7 +23,7 @@ struct Row {
 };
 
 std::string count(double number) {
-  return text("%.0f", number);
+  return results::formatted("%.0f", number);
 }
 
 std::string time_of(const plan::Choice& choice) {
@@ -47,23 +41,26 @@ std::string busy_time_of(const plan::Choice& choice, double share) {
 std::string error_of(const plan::Choice& choice, const std::string& quantity) {
   for (const auto& error : choice.errors)
     if (error.quantity == quantity)
-      return error.scatter > 0 ? text("%.1f +- %.1f %%", 100 * error.error, 100 * error.scatter)
-                               : text("%.1f %%", 100 * error.error);
+      return error.scatter > 0 ? results::formatted("%.1f +- %.1f %%", 100 * error.error, 100 * error.scatter)
+                               : results::formatted("%.1f %%", 100 * error.error);
   return "unknown";
 }
 
 const std::vector<Row>& rows() {
   using Choice = plan::Choice;
   static const std::vector<Row> all = {
-      {"grain diameter, mm", [](const Choice& c) { return text("%.4g", 1e3 * c.forecast.grain_diameter); }},
-      {"powder in the shoe, mm", [](const Choice& c) { return text("%.4g", 1e3 * c.forecast.fill_height); }},
+      {"grain diameter, mm",
+       [](const Choice& c) { return results::formatted("%.4g", 1e3 * c.forecast.grain_diameter); }},
+      {"powder in the shoe, mm",
+       [](const Choice& c) { return results::formatted("%.4g", 1e3 * c.forecast.fill_height); }},
       {"grains", [](const Choice& c) { return count(static_cast<double>(c.forecast.grains)); }},
       {"spheres", [](const Choice& c) { return count(static_cast<double>(c.forecast.spheres)); }},
       {"wall spheres", [](const Choice& c) { return count(static_cast<double>(c.forecast.wall_spheres)); }},
-      {"time step, us", [](const Choice& c) { return text("%.3g", 1e6 * c.forecast.time_step); }},
+      {"time step, us",
+       [](const Choice& c) { return results::formatted("%.3g", 1e6 * c.forecast.time_step); }},
       {"steps", [](const Choice& c) { return count(c.forecast.steps()); }},
-      {"simulated time, s", [](const Choice& c) { return text("%.3g", c.forecast.seconds()); }},
-      {"memory, MB", [](const Choice& c) { return text("%.0f", 1e-6 * c.forecast.memory); }},
+      {"simulated time, s", [](const Choice& c) { return results::formatted("%.3g", c.forecast.seconds()); }},
+      {"memory, MB", [](const Choice& c) { return results::formatted("%.0f", 1e-6 * c.forecast.memory); }},
       {"time, free processors", time_of},
   };
   return all;
@@ -95,7 +92,8 @@ void print_table(const plan::Plan& plan) {
     std::printf("\n");
   }
   if (plan.pilot && is_busy(*plan.pilot)) {
-    std::printf("%-24s", text("time, busy at %.0f %%", 100 * plan.pilot->processor_share).c_str());
+    std::printf("%-24s",
+                results::formatted("time, busy at %.0f %%", 100 * plan.pilot->processor_share).c_str());
     for (const auto& choice : plan.choices)
       std::printf("%20s", busy_time_of(choice, plan.pilot->processor_share).c_str());
     std::printf("\n");
@@ -173,9 +171,9 @@ void print_plan(const plan::Plan& plan) {
 }
 
 std::string scene_lines(const process::Scene& scene, const plan::SettingNumbers& numbers) {
-  return text("%s = \"%.4g mm\", walls.spacing = %.2g, pour.fill_height = \"%.4g mm\"",
-              scene.powder.sizes.empty() ? "powder.grain_diameter" : "powder.sizes.mean_size",
-              1e3 * numbers.grain_diameter, numbers.wall_spacing, 1e3 * numbers.fill_height);
+  return results::formatted("%s = \"%.4g mm\", walls.spacing = %.2g, pour.fill_height = \"%.4g mm\"",
+                            scene.powder.sizes.empty() ? "powder.grain_diameter" : "powder.sizes.mean_size",
+                            1e3 * numbers.grain_diameter, numbers.wall_spacing, 1e3 * numbers.fill_height);
 }
 
 Json choice_as_json(const plan::Choice& choice) {

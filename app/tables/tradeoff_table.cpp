@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/tables/text_column.h"
+#include "process/results/formatted.h"
 
 namespace diefill::app {
 
@@ -12,9 +13,7 @@ namespace {
 
 std::string number(double value, const char* format) {
   if (!std::isfinite(value)) return "-";
-  char text[48];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
+  return results::formatted(format, value);
 }
 
 std::string line(const std::string& name, std::size_t width, const std::string& core,

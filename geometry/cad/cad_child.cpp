@@ -14,7 +14,6 @@
 #include <cstring>
 #include <fstream>
 #include <new>
-#include <stdexcept>
 
 namespace diefill::geometry {
 
@@ -25,7 +24,7 @@ constexpr std::size_t kMemoryOfByte = 24;
 constexpr std::size_t kBytesOfSecond = 100000;
 constexpr std::size_t kWallOverProcessor = 3;  // where many programs share the machine
 constexpr char kWhole = 'W';                   // first byte of an answer: parts follow
-constexpr char kReason = 'R';
+constexpr char kFailure = 'F';                 // a ChildFailure and the reader's words follow
 
 /// Writes plain values and arrays of them into a pipe.
 class Sender {
@@ -183,19 +182,21 @@ void send(const CadParts& contents, Sender& sender) {
   silence();
   set_limits(limits);
   Sender sender(pipe);
-  std::string reason;
+  ChildFailure failure = ChildFailure::kRefused;
+  std::string words;
   try {
     send(read(), sender);
     ::_exit(0);
   } catch (const std::bad_alloc&) {
-    reason = "it declares more data than a file of its size can hold, so its counts must be wrong";
+    failure = ChildFailure::kTooMuchMemory;
   } catch (const std::exception& error) {
-    reason = error.what();
+    words = error.what();
   } catch (...) {
-    reason = "the importer failed without a message";
+    // No words: error_of() has some.
   }
-  sender.value(kReason);
-  sender.text(reason);
+  sender.value(kFailure);
+  sender.value(failure);
+  sender.text(words);
   ::_exit(0);
 }
 
@@ -214,22 +215,38 @@ CadParts receive(Receiver& receiver) {
   return contents;
 }
 
-std::string description(int status) {
-  if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
-    return "reading it does not terminate";
-  return "the importer crashed on it, so the file must be damaged";
+/// Of a child that ended before it had answered.
+ChildFailure failure_of(int status) {
+  const bool stopped = WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
+  return stopped ? ChildFailure::kTooLong : ChildFailure::kCrashed;
+}
+
+/// `words`: the reader's own, if it had any.
+ChildError error_of(ChildFailure failure, const std::string& words) {
+  switch (failure) {
+    case ChildFailure::kCrashed:
+      return {failure, "the importer crashed on it, so the file must be damaged"};
+    case ChildFailure::kTooLong:
+      return {failure, "reading it does not terminate"};
+    case ChildFailure::kTooMuchMemory:
+      return {failure, "it declares more data than a file of its size can hold, so its counts must be wrong"};
+    case ChildFailure::kNoChild:
+    case ChildFailure::kRefused:
+      break;
+  }
+  return {failure, words.empty() ? "the importer failed without a message" : words};
 }
 
 }  // namespace
 
 CadParts read_in_child(const std::function<CadParts()>& read, const ChildLimits& limits) {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("cannot open a pipe to read it");
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw error_of(ChildFailure::kNoChild, "cannot open a pipe to read it");
   const pid_t child = ::fork();
   if (child < 0) {
     ::close(ends[0]);
     ::close(ends[1]);
-    throw std::runtime_error("cannot start a process to read it");
+    throw error_of(ChildFailure::kNoChild, "cannot start a process to read it");
   }
   if (child == 0) {
     ::close(ends[0]);
@@ -239,16 +256,20 @@ CadParts read_in_child(const std::function<CadParts()>& read, const ChildLimits&
   Receiver receiver(ends[0], std::chrono::seconds(kWallOverProcessor * seconds_of(limits)));
   const char kind = receiver.value<char>();
   CadParts contents;
-  std::string reason;
+  ChildFailure failure = ChildFailure::kRefused;
+  std::string words;
   if (kind == kWhole) contents = receive(receiver);
-  if (kind == kReason) reason = receiver.text();
+  if (kind == kFailure) {
+    failure = receiver.value<ChildFailure>();
+    words = receiver.text();
+  }
   ::close(ends[0]);
   if (receiver.late()) ::kill(child, SIGKILL);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!reason.empty()) throw std::runtime_error(reason);
-  if (!receiver.whole()) throw std::runtime_error(description(status));
+  if (!receiver.whole()) throw error_of(failure_of(status), "");
+  if (kind == kFailure) throw error_of(failure, words);
   return contents;
 }
 

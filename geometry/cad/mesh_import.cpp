@@ -117,9 +117,8 @@ Mesh wanted(const std::string& file, CadParts contents, const std::string& name,
 }
 
 /// Curved surfaces take the time and memory of the triangles that are made of them, whatever the file's size.
-std::string remedy(const CadFormat& format, double chord_tolerance, const std::string& reason) {
-  const bool takes_too_much = reason.find("does not terminate") != std::string::npos ||
-                              reason.find("more data than") != std::string::npos;
+std::string remedy(const CadFormat& format, double chord_tolerance, ChildFailure failure) {
+  const bool takes_too_much = failure == ChildFailure::kTooLong || failure == ChildFailure::kTooMuchMemory;
   if (format.surface != SurfaceKind::kCurved || !takes_too_much ||
       chord_tolerance >= ImportOptions{}.chord_tolerance)
     return "; export it again, best as STEP or STL";
@@ -140,9 +139,9 @@ CadParts read(const std::filesystem::path& file, const CadFormat& format, double
     const unsigned seconds = format.surface == SurfaceKind::kCurved ? 60 : 10;
     return read_in_child([&] { return read_cad_parts(file, format, chord_tolerance); },
                          {bytes.size(), seconds});
-  } catch (const std::runtime_error& reason) {
+  } catch (const ChildError& error) {
     throw MeshError(named(file) + " cannot be read as " + format.ending + ": " +
-                    shown(reason.what(), kLongestReason) + remedy(format, chord_tolerance, reason.what()));
+                    shown(error.what(), kLongestReason) + remedy(format, chord_tolerance, error.failure));
   }
 }
 

@@ -1,13 +1,13 @@
 #include "process/calibration/calibrate.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "process/calibration/calibration_results.h"
 #include "process/calibration/methods/next_points.h"
 #include "process/calibration/methods/space_filling.h"
 #include "process/calibration/starting_powder.h"
 #include "process/compare/backups.h"
+#include "process/results/formatted.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/file_contents.h"
 #include "process/run/assemble.h"
@@ -44,7 +44,7 @@ class Search {
       fit_ = fit_points(plan_, simulated_);
       if (!options_.points.run && !runs_.open_jobs().jobs.empty()) return open_text();
       if (runs_.over_budget()) return "the budget is used";
-      if (!fit_) return "too few runs gave values";
+      if (!fit_) return why_no_fit(plan_, simulated_);
       const NextPoints next =
           next_points(*fit_->likelihood, fit_->region, taken(),
                       static_cast<std::size_t>(plan_.points_at_once), plan_.seed + simulated_.points.size());
@@ -60,20 +60,27 @@ class Search {
 
   /// The best parameters and those of the region's edge on what is to be checked.
   void check() {
-    bool checks = false;
-    for (const Measurement& measurement : plan_.measurements) checks = checks || !measurement.fitted;
-    if (!fit_ || runs_.over_budget() || !runs_.open_jobs().jobs.empty()) return;
-    if (!take({{"best", plain(fit_->region.best), true, true}})) return;
-    if (checks)
-      for (const auto& place : edge_of(fit_->region, std::min(kEdgePoints, 2 * plan_.parameters.size())))
-        simulated_.points.push_back({"edge", plain(place), false, true});
-    if (!plan_.finer_grains.empty())
-      simulated_.points.push_back({"finer", plain(fit_->region.best), true, true, finer_grains_of(plan_)});
+    if (!fit_) return;
+    const std::size_t searched = simulated_.points.size();
+    if (const std::string obstacle = take_checks(); !obstacle.empty()) {
+      if (has_checks() || !plan_.finer_grains.empty())
+        remarks_.push_back("the check was not run: " + obstacle);
+      return;
+    }
     simulate();
+    std::size_t left_out = 0;
+    for (std::size_t k = searched; k < simulated_.outcomes.size(); ++k)
+      left_out += simulated_.outcomes[k].state == "left out" ? 1 : 0;
+    if (left_out > 0)
+      remarks_.push_back("the check is incomplete: " + std::to_string(left_out) + " of its " +
+                         std::to_string(simulated_.points.size() - searched) +
+                         " sets of parameters have runs that are not finished" +
+                         (runs_.over_budget() ? ": the budget is used" : ""));
   }
 
   results::Calibration account(const std::string& stopped) const {
     results::Calibration account = calibration_results(plan_, simulated_, fit_);
+    account.remarks.insert(account.remarks.end(), remarks_.begin(), remarks_.end());
     account.command = options_.command;
     account.program_version = program_version();
     account.stopped = stopped;
@@ -84,6 +91,24 @@ class Search {
   const results::JobList& open_jobs() const { return runs_.open_jobs(); }
 
  private:
+  bool has_checks() const {
+    return std::any_of(plan_.measurements.begin(), plan_.measurements.end(),
+                       [](const Measurement& measurement) { return !measurement.fitted; });
+  }
+
+  /// Takes on the points of the check; what stands against it, or nothing.
+  std::string take_checks() {
+    if (runs_.over_budget()) return "the budget is used; --resume with a larger one runs it";
+    if (!runs_.open_jobs().jobs.empty()) return open_text();
+    if (!take({{"best", plain(fit_->region.best), true, true}})) return elsewhere_text();
+    if (has_checks())
+      for (const auto& place : edge_of(fit_->region, std::min(kEdgePoints, 2 * plan_.parameters.size())))
+        simulated_.points.push_back({"edge", plain(place), false, true});
+    if (!plan_.finer_grains.empty())
+      simulated_.points.push_back({"finer", plain(fit_->region.best), true, true, finer_grains_of(plan_)});
+    return {};
+  }
+
   /// Takes points on, unless they would be new and only finished runs count.
   bool take(const std::vector<Point>& points) {
     for (std::size_t k = 0; k < points.size(); ++k)
@@ -122,26 +147,22 @@ class Search {
     for (std::size_t k = 0; k < plan_.parameters.size(); ++k) {
       const ParameterRange& range = plan_.parameters[k];
       const auto d = static_cast<Eigen::Index>(k);
-      char text[200];
-      std::snprintf(text, sizeof text, " %s %.3g (%.3g to %.3g)", range.key.c_str(),
-                    range.value_at(fit_->region.best[d]), range.value_at(fit_->region.lower[d]),
-                    range.value_at(fit_->region.upper[d]));
-      line += text;
+      line += results::formatted(" %s %.3g (%.3g to %.3g)", range.key.c_str(),
+                                 range.value_at(fit_->region.best[d]), range.value_at(fit_->region.lower[d]),
+                                 range.value_at(fit_->region.upper[d]));
     }
-    char text[160];
-    std::snprintf(text, sizeof text, "; expected gain %.2g, scatter %.2g, emulator's share %.2g",
-                  next.expected_gain, next.scatter, next.emulator_share);
-    options_.on_note(line + text);
+    options_.on_note(line + results::formatted("; expected gain %.2g, scatter %.2g, emulator's share %.2g",
+                                               next.expected_gain, next.scatter, next.emulator_share));
   }
 
   static std::string reason(const NextPoints& next) {
-    char text[240];
-    std::snprintf(
-        text, sizeof text,
-        "more runs would change little: expected gain %.2g of the misfit, scatter over seeds %.2g; the "
-        "emulators add %.0f %% to the measurements' variance",
-        next.expected_gain, next.scatter, 100 * next.emulator_share);
-    return text;
+    const char* start = next.places.empty()
+                            ? "no set of parameters is left that differs enough from those that were run"
+                            : "more runs would change little";
+    return start + results::formatted(
+                       ": expected gain %.2g of the misfit, scatter over seeds %.2g; the "
+                       "emulators add %.0f %% to the measurements' variance",
+                       next.expected_gain, next.scatter, 100 * next.emulator_share);
   }
 
   const CalibrationPlan& plan_;
@@ -149,6 +170,7 @@ class Search {
   PointRuns runs_;
   SimulatedPoints simulated_;
   std::optional<Fit> fit_;
+  std::vector<std::string> remarks_;  ///< about the check
 };
 
 /// powder.toml of the best parameters. One of an earlier state of the search is renamed.

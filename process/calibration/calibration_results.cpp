@@ -1,45 +1,43 @@
 #include "process/calibration/calibration_results.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 
 #include "process/calibration/methods/insight.h"
+#include "process/calibration/methods/next_points.h"
 #include "process/input/units.h"
-#include "process/results/studies/quantiles.h"
+#include "process/results/formatted.h"
 
 namespace diefill::process::calibration {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kByChance = 0.01;  // chi^2 that chance exceeds less often does not agree
 
-Eigen::VectorXd vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-Eigen::VectorXd mean_over(const std::vector<std::vector<double>>& rows) {
-  Eigen::VectorXd mean = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.front().size()));
-  for (const auto& row : rows) mean += vector_of(row) / static_cast<double>(rows.size());
-  return mean;
-}
-
-/// chi^2 of a point's own runs; NaN where a fitted measurement has no values.
-double chi_square_of(const CalibrationPlan& plan, const PointOutcome& outcome) {
+/// chi^2 of a point's own runs; NaN where a fitted value is missing. Without a fit, all values are to be
+/// fitted.
+double chi_square_of(const CalibrationPlan& plan, const PointOutcome& outcome,
+                     const std::optional<Fit>& fit) {
   double sum = 0;
+  std::size_t fitted = 0;  // among the measurements of the fit
   for (std::size_t m = 0; m < plan.measurements.size(); ++m) {
     const Measurement& measurement = plan.measurements[m];
     if (!measurement.fitted) continue;
-    if (!outcome.has(m)) return kNone;
-    sum += (mean_over(outcome.values[m]) - vector_of(measurement.data.value.values))
-               .cwiseQuotient(vector_of(measurement.data.deviation.values))
-               .squaredNorm();
+    std::vector<std::size_t> places(measurement.data.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    for (const std::size_t q : fit ? fit->places[fitted] : places)
+      sum += std::pow((outcome.over_seeds(m, q).mean - measurement.data.value.values[q]) /
+                          measurement.data.deviation.values[q],
+                      2);
+    ++fitted;
   }
   return sum;
 }
 
-void add_points(results::Calibration& account, const CalibrationPlan& plan,
-                const SimulatedPoints& simulated) {
+void add_points(results::Calibration& account, const CalibrationPlan& plan, const SimulatedPoints& simulated,
+                const std::optional<Fit>& fit) {
   for (std::size_t k = 0; k < simulated.outcomes.size(); ++k) {
     const Point& point = simulated.points[k];
     const PointOutcome& outcome = simulated.outcomes[k];
@@ -49,80 +47,37 @@ void add_points(results::Calibration& account, const CalibrationPlan& plan,
       row.values.push_back(plan.parameters[d].value_at(point.place[d]));
     row.state = outcome.state;
     row.reason = outcome.reason;
-    row.chi_square = chi_square_of(plan, outcome);
+    row.chi_square = chi_square_of(plan, outcome, fit);
     row.core_seconds = outcome.core_seconds;
     account.points.push_back(std::move(row));
   }
 }
 
-/// Whether chance explains the chi^2; the parameters have used up as many of the data.
-bool agrees(double chi_square, std::size_t data, std::size_t parameters) {
-  if (data <= parameters) return chi_square < 6.63;  // 1 % of one degree of freedom
-  return chi_square < results::chi_squared_exceeded(static_cast<double>(data - parameters), kByChance);
+/// That the powder agrees says little where the emulators widen what would agree.
+void add_emulator_share(results::Calibration& account, const Fit& fit) {
+  const double share = mean_emulator_share(*fit.likelihood, fit.region);
+  if (!(share > kShareThatMatters)) return;
+  account.remarks.push_back("the simulations are too few: they add " + results::formatted("%.2g", share) +
+                            " times the measurements' variance" +
+                            (account.agrees ? ", so that the powder agrees says little" : ""));
 }
 
-/// Predictions of a fitted measurement over samples of the region, one a row.
-Eigen::MatrixXd predictions(const Emulator& emulator, const Eigen::MatrixXd& samples) {
-  Eigen::MatrixXd values(samples.rows(), emulator.covariance().rows());
-  for (Eigen::Index k = 0; k < samples.rows(); ++k)
-    values.row(k) = emulator.at(samples.row(k).transpose()).mean.transpose();
-  return values;
+/// A verdict on each measurement that was kept for checking, where the check was run.
+void add_verdicts(results::Calibration& account, const SimulatedPoints& simulated) {
+  if (std::none_of(simulated.points.begin(), simulated.points.end(),
+                   [](const Point& point) { return point.checks; }))
+    return;
+  for (const auto& measurement : account.measurements)
+    if (!measurement.fitted) account.insights.push_back(check_verdict(measurement));
 }
 
-/// A measurement kept for checking as a linear function of the parameters, from the runs at the best and at
-/// the edge; empty where too few have values.
-Eigen::MatrixXd linear_predictions(std::size_t measurement, const SimulatedPoints& simulated,
-                                   const Eigen::MatrixXd& samples) {
-  std::vector<std::size_t> with;
-  for (std::size_t k = 0; k < simulated.outcomes.size(); ++k)
-    if (simulated.outcomes[k].has(measurement) && simulated.points[k].role != "finer") with.push_back(k);
-  if (with.size() < 3) return {};
-  const auto rows = static_cast<Eigen::Index>(with.size());
-  Eigen::MatrixXd places(rows, samples.cols() + 1);
-  Eigen::MatrixXd values;
-  for (Eigen::Index r = 0; r < rows; ++r) {
-    const std::size_t k = with[static_cast<std::size_t>(r)];
-    const Eigen::VectorXd mean = mean_over(simulated.outcomes[k].values[measurement]);
-    if (r == 0) values.resize(rows, mean.size());
-    values.row(r) = mean.transpose();
-    places.row(r) << 1, vector_of(simulated.points[k].place).transpose();
-  }
-  const Eigen::MatrixXd coefficients = places.completeOrthogonalDecomposition().solve(values);
-  Eigen::MatrixXd with_one(samples.rows(), samples.cols() + 1);
-  with_one << Eigen::VectorXd::Ones(samples.rows()), samples;
-  return with_one * coefficients;
-}
-
-void add_worth(results::Calibration& account, const CalibrationPlan& plan, const SimulatedPoints& simulated,
+void add_words(results::Calibration& account, const CalibrationPlan& plan, const SimulatedPoints& simulated,
                const Fit& fit) {
-  constexpr Eigen::Index kSamples = 400;
-  const Eigen::Index step = std::max<Eigen::Index>(1, fit.region.samples.rows() / kSamples);
-  Eigen::MatrixXd samples(fit.region.samples.rows() / step, fit.region.samples.cols());
-  for (Eigen::Index k = 0; k < samples.rows(); ++k) samples.row(k) = fit.region.samples.row(k * step);
-  std::vector<PossibleMeasurement> possible;
-  for (std::size_t k = 0; k < fit.measurement.size(); ++k) {
-    const Measurement& measurement = plan.measurements[fit.measurement[k]];
-    possible.push_back({measurement.name + ", once more",
-                        predictions(*fit.likelihood->measurements()[k].emulator, samples),
-                        vector_of(measurement.data.deviation.values)});
-  }
-  for (std::size_t m = 0; m < plan.measurements.size(); ++m) {
-    const Measurement& measurement = plan.measurements[m];
-    if (measurement.fitted) continue;
-    Eigen::MatrixXd values = linear_predictions(m, simulated, samples);
-    if (values.size() > 0)
-      possible.push_back({measurement.name + ", used to fit", std::move(values),
-                          vector_of(measurement.data.deviation.values)});
-  }
-  for (const Informativeness& gain : informativeness_of(samples, possible))
-    account.worth.push_back({gain.name, gain.volume, {gain.deviations.begin(), gain.deviations.end()}});
-}
-
-void add_words(results::Calibration& account, const CalibrationPlan& plan, const Fit& fit) {
   std::vector<std::string> keys, names;
   for (const ParameterRange& range : plan.parameters) keys.push_back(range.key);
   for (const std::size_t m : fit.measurement) names.push_back(plan.measurements[m].name);
   account.insights = insights(fit.region, keys, names);
+  add_verdicts(account, simulated);
   if (!account.worth.empty() && account.worth.front().volume < 0.95) {
     const auto& best = account.worth.front();
     account.insights.push_back("of the measurements known here, " + best.name +
@@ -188,7 +143,7 @@ results::Calibration calibration_results(const CalibrationPlan& plan, const Simu
   account.finer_grains = plan.finer_grains;
   account.fitted = fit.has_value();
   account.chi_square = kNone;
-  add_points(account, plan, simulated);
+  add_points(account, plan, simulated, fit);
   add_parameters(account, plan, fit);
   add_measurements(account, plan, simulated, fit);
   std::size_t failed = 0;
@@ -202,9 +157,10 @@ results::Calibration calibration_results(const CalibrationPlan& plan, const Simu
       grains_text(scene_at(plan, plan.measurements[fit->measurement.front()].runs.front(), best));
   account.data = fit->likelihood->data();
   account.chi_square = fit->likelihood->chi_square(fit->region.best);
-  account.agrees = agrees(account.chi_square, account.data, plan.parameters.size());
+  account.agrees = explained_by_chance(account.chi_square, account.data, plan.parameters.size());
+  add_emulator_share(account, *fit);
   add_worth(account, plan, simulated, *fit);
-  add_words(account, plan, *fit);
+  add_words(account, plan, simulated, *fit);
   add_maps(account, plan, *fit);
   return account;
 }

@@ -4,8 +4,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "process/calibration/fit.h"
+#include "process/calibration/methods/curve_residual.h"
 #include "process/results/studies/calibration.h"
 
 namespace diefill::process::calibration {
@@ -14,12 +16,32 @@ namespace diefill::process::calibration {
 results::Calibration calibration_results(const CalibrationPlan& plan, const SimulatedPoints& simulated,
                                          const std::optional<Fit>& fit);
 
-/// The parts of it: parameters with profiles, correlations and samples; measurements; maps.
+/// The parts of it: parameters with profiles, correlations and samples; measurements; maps; which further
+/// measurement would help, with a remark on those of which that is not known.
 void add_parameters(results::Calibration& account, const CalibrationPlan& plan,
                     const std::optional<Fit>& fit);
 void add_measurements(results::Calibration& account, const CalibrationPlan& plan,
                       const SimulatedPoints& simulated, const std::optional<Fit>& fit);
 void add_maps(results::Calibration& account, const CalibrationPlan& plan, const Fit& fit);
+void add_worth(results::Calibration& account, const CalibrationPlan& plan, const SimulatedPoints& simulated,
+               const Fit& fit);
+
+/// A measurement's curve through these of its values; nothing where it has none.
+std::optional<MeasuredCurve> measured_curve(const Measurement& measurement,
+                                            const std::vector<std::size_t>& places);
+
+/// Whether chance explains the chi^2 of so many data (1 %); the parameters have used up as many of them.
+bool explained_by_chance(double chi_square, std::size_t data, std::size_t parameters);
+
+/// What the simulated value of a check may differ by: the deviations of measurement and runs, or also what
+/// the region of parameters leaves open.
+enum class CheckedAgainst { deviation, region };
+
+/// chi^2 of the values of a check that have a simulated one; NaN where none has.
+double chi_square_of_check(const results::CalibratedMeasurement& row, CheckedAgainst against);
+
+/// Whether a measurement that was kept for checking is predicted, in a sentence.
+std::string check_verdict(const results::CalibratedMeasurement& row);
 
 /// Comment at the top of powder.toml, and its table [calibration].
 std::string powder_comment(const results::Calibration& account);

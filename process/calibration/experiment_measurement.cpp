@@ -53,11 +53,25 @@ laboratory::LabSetting read_setting(TableReader& table, const MeasurementContext
   return setting;
 }
 
-/// The quantity that the key asks for; one that takes several seeds is none.
+/// The plan's scene of that name; null for what an experiment computes itself.
+const laboratory::LabRun* scene_run(const LabPlan& plan, const std::string& name) {
+  const auto run = std::find_if(plan.runs.begin(), plan.runs.end(),
+                                [&](const laboratory::LabRun& one) { return one.name == name; });
+  return run == plan.runs.end() ? nullptr : &*run;
+}
+
+/// Whether a quantity follows from scenes alone.
+bool takes_scenes(const LabQuantity& quantity, const LabPlan& plan) {
+  return !quantity.runs.empty() &&
+         std::all_of(quantity.runs.begin(), quantity.runs.end(),
+                     [&](const std::string& name) { return scene_run(plan, name) != nullptr; });
+}
+
+/// The quantity that the key asks for; one that takes several seeds, or no scene, is none.
 const LabQuantity& quantity_called(const TableReader& table, const LabPlan& plan, const std::string& word) {
   std::vector<std::string> known;
   for (const LabQuantity& quantity : plan.quantities) {
-    if (quantity.over_seeds) continue;
+    if (quantity.over_seeds || !takes_scenes(quantity, plan)) continue;
     if (quantity.id == word) return quantity;
     known.push_back(quantity.id);
   }
@@ -92,18 +106,18 @@ double factor_into(const TableReader& table, const std::string& unit, const std:
   }
 }
 
-/// The scenes of the quantity's runs, in its order.
+/// The scenes of the quantity's runs, in its order. What the plan changes stands above the starting powder: a
+/// friction or a modulus that the experiment varies is its own.
 std::vector<MeasurementRun> runs_of(const LabQuantity& quantity, const LabPlan& plan,
                                     const laboratory::LabSetting& setting, const std::string& set) {
   std::vector<MeasurementRun> runs;
   for (const std::string& name : quantity.runs) {
-    const auto run = std::find_if(plan.runs.begin(), plan.runs.end(),
-                                  [&](const laboratory::LabRun& one) { return one.name == name; });
-    const std::filesystem::path file = setting.scenes / run->scene;
-    SceneChanges changes = run->changes;
+    const laboratory::LabRun& run = *scene_run(plan, name);
+    const std::filesystem::path file = setting.scenes / run.scene;
+    SceneChanges changes = run.changes;
     changes.called = "experiment \"" + name + '"';
-    const Scene scene = changed_scene(load_scene_text(file), file, changes);
-    runs.push_back({with_starting_powder(scene.text, file, setting.powder), file, set});
+    const Scene scene = changed_scene(with_starting_powder(file, setting.powder), file, changes);
+    runs.push_back({with_starting_powder(scene.text, file, {}), file, set});
   }
   return runs;
 }
@@ -115,6 +129,8 @@ Measurement read_experiment_measurement(TableReader& table, const MeasurementCon
       experiment_called(table, table.required_text("experiment", "mean_fractions"));
   const laboratory::LabSetting setting = read_setting(table, context);
   const LabPlan plan = experiment.plan(setting);
+  if (plan.runs.empty())
+    table.reject("experiment", "this experiment runs no scenes, which take a powder; choose one that does");
   if (!laboratory::takes_own_powder(plan))
     table.reject("experiment", "this experiment has powders of its own; choose one that takes any powder");
   const LabQuantity& quantity = quantity_called(table, plan, table.required_text("quantity", "settled"));

@@ -1,5 +1,6 @@
 // Profiles and maps of a scene's result against measured ones.
 #include <algorithm>
+#include <cmath>
 
 #include "process/calibration/measurement.h"
 #include "process/input/scene_error.h"
@@ -19,6 +20,19 @@ struct KnownField {
   std::vector<std::string> names, places;
   PossibleValues possible;
 };
+
+/// A sector without powder has no grain to give its level: it is filled to the floor.
+std::vector<double> values_of_profile(const results::FillResult& result, const std::string& quantity,
+                                      const MeasuredTable& data, const std::string& where) {
+  results::FillResult levelled;
+  levelled.profiles = result.profiles;
+  for (results::Profile& profile : levelled.profiles) {
+    if (!same_name(results::quantity_and_cavity(profile.quantity).first, "fill level")) continue;
+    for (double& level : profile.y)
+      if (std::isnan(level)) level = 0;
+  }
+  return profile_values(levelled, quantity, data, where);
+}
 
 /// A column of the file that is called like another quantity holds something else.
 void refuse_other_values(const MeasuredTable& data, const std::string& quantity) {
@@ -62,7 +76,7 @@ Measurement read_profile_measurement(TableReader& table, const MeasurementContex
   return read_field(
       table, run, quantity, "profile",
       {possible_profiles(), places_of_profile(quantity), possible.value_or(PossibleValues{"1", 0, 0})},
-      profile_values);
+      values_of_profile);
 }
 
 Measurement read_map_measurement(TableReader& table, const MeasurementContext& context) {

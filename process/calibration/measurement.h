@@ -35,7 +35,7 @@ struct Measurement {
   MeasuredTable data;
   std::vector<MeasurementRun> runs;
   /// The measured values as the results of `runs` have them, in the data's unit, NaN where one has none.
-  /// Throws SceneError where the results can have no such value.
+  /// Throws SceneError where the results can have no such value, results::ResultError where these lack it.
   std::function<std::vector<double>(const std::vector<FinishedRun>&)> simulated;
 
   /// Whether it is a curve: one place for each value.

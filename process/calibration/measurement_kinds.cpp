@@ -2,8 +2,23 @@
 
 #include "process/calibration/measurement.h"
 #include "process/calibration/starting_powder.h"
+#include "process/input/scene_error.h"
 
 namespace diefill::process::calibration {
+
+namespace {
+
+/// More values are no more information where neighbours are averages over the same powder, and their
+/// covariances take time and memory.
+void refuse_too_many(const Measurement& measurement) {
+  constexpr std::size_t kMost = 1000;
+  if (measurement.data.size() > kMost)
+    throw SceneError(measurement.data.where + ": found " + std::to_string(measurement.data.size()) +
+                     " values of \"" + measurement.name + "\", allowed: at most " + std::to_string(kMost) +
+                     " with use = \"fit\"; average on a coarser grid, no finer than the averaging width");
+}
+
+}  // namespace
 
 const std::vector<MeasurementKind>& measurement_kinds() {
   static const std::vector<MeasurementKind> kinds = {
@@ -33,6 +48,7 @@ std::vector<Measurement> read_measurements(TableReader& document, const Measurem
     measurement.name = name;
     measurement.kind = kind;
     measurement.fitted = fitted;
+    if (fitted) refuse_too_many(measurement);
     table.finish();
     all.push_back(std::move(measurement));
   }

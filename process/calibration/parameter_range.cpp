@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "process/input/scene_error.h"
 #include "process/input/unit_conversion.h"
+#include "process/results/formatted.h"
 #include "process/scene/key_path.h"
 #include "process/scene/scene_text.h"
 
@@ -31,9 +31,7 @@ NumberWithUnit end_of(TableReader& table, const std::string& key) {
 }
 
 std::string written(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.8g", value);
-  return text;
+  return results::formatted("%.8g", value);
 }
 
 void check_key(const TableReader& table, const ParameterRange& range,

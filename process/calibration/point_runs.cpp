@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "process/results/formatted.h"
 #include "process/results/storage/result_file.h"
 #include "process/results/studies/job_cost.h"
 #include "process/scene/scene_text.h"
@@ -33,6 +33,12 @@ bool same_powder(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+Sample PointOutcome::over_seeds(std::size_t measurement, std::size_t place) const {
+  std::vector<double> column;
+  for (const auto& row : values[measurement]) column.push_back(row[place]);
+  return sample_of(column);
+}
+
 PointRuns::PointRuns(const CalibrationPlan& plan, PointOptions options)
     : plan_(plan), options_(std::move(options)) {
   for (const Measurement& measurement : plan_.measurements) {
@@ -50,9 +56,7 @@ PointRuns::PointRuns(const CalibrationPlan& plan, PointOptions options)
 }
 
 std::string PointRuns::folder_of(std::size_t number, std::size_t run) const {
-  char name[40];
-  std::snprintf(name, sizeof name, "p%03zu_r%02zu", number + 1, run + 1);
-  return name;
+  return results::formatted("p%03zu_r%02zu", number + 1, run + 1);
 }
 
 /// Each once, in their order.
@@ -72,7 +76,7 @@ std::vector<Variant> PointRuns::variants_of(const Point& point, std::size_t numb
       if (kept.empty()) {
         Variant variant{point_name(number) + ", run " + std::to_string(run + 1), folder_of(number, run),
                         scene_at(plan_, runs_[run], point.place, point.set)};
-        variant.scene.seed = plan_.seed;
+        variant.scene.seed = seed_of(number, 0);
         kept.push_back(std::move(variant));
       }
     } catch (const SceneError& error) {
@@ -118,35 +122,71 @@ void PointRuns::run(const std::vector<Point>& points) {
   }
 }
 
+/// No two runs of a calibration have the same seed: what one does alike to all powders then averages out.
+std::uint64_t PointRuns::seed_of(std::size_t number, int k) const {
+  return plan_.seed + static_cast<std::uint64_t>(number) * static_cast<std::uint64_t>(plan_.seeds) +
+         static_cast<std::uint64_t>(k);
+}
+
+results::Job PointRuns::job_of(std::size_t number, std::size_t run, int k) const {
+  const std::uint64_t seed = seed_of(number, k);
+  return {"", seed, folder_of(number, run) + "/seed-" + std::to_string(seed)};
+}
+
 bool PointRuns::is_written(const Point& point, std::size_t number) const {
   const auto runs = runs_of(point);
   return std::all_of(runs.begin(), runs.end(), [&](std::size_t run) {
-    const auto file =
-        options_.directory / folder_of(number, run) / ("seed-" + std::to_string(plan_.seed)) / kJobScene;
+    const auto file = options_.directory / job_of(number, run, 0).folder / kJobScene;
     return std::filesystem::exists(file) &&
            same_powder(load_scene_text(file), scene_at(plan_, runs_[run], point.place, point.set).text);
   });
 }
 
-std::vector<std::vector<double>> PointRuns::values_of(std::size_t measurement, std::size_t number) {
+/// Empty where a run is not finished.
+std::vector<double> PointRuns::values_of_seed(std::size_t measurement, std::size_t number, int k) const {
+  std::vector<results::FillResult> read;
+  std::vector<FinishedRun> finished;
+  for (const std::size_t run : measured_by_[measurement]) {
+    const results::Job job = job_of(number, run, k);
+    if (state_of(options_.directory, job).stage != JobState::Stage::finished) return {};
+    finished.push_back({options_.directory / job.folder, nullptr});
+    read.push_back(results::read_results(finished.back().folder));
+  }
+  for (std::size_t r = 0; r < read.size(); ++r) finished[r].result = &read[r];
+  return plan_.measurements[measurement].simulated(finished);
+}
+
+/// Rows of values, seed by seed. A result that is damaged or lacks what is measured has none: `reason` says
+/// why.
+std::vector<std::vector<double>> PointRuns::values_of(std::size_t measurement, std::size_t number,
+                                                      std::string& reason) const {
   std::vector<std::vector<double>> rows;
   for (int k = 0; k < plan_.seeds; ++k) {
-    std::vector<results::FillResult> read;
-    std::vector<FinishedRun> finished;
-    for (const std::size_t run : measured_by_[measurement]) {
-      const std::uint64_t seed = plan_.seed + static_cast<std::uint64_t>(k);
-      const results::Job job{"", seed, folder_of(number, run) + "/seed-" + std::to_string(seed)};
-      if (state_of(options_.directory, job).stage != JobState::Stage::finished) break;
-      finished.push_back({options_.directory / job.folder, nullptr});
-      read.push_back(results::read_results(finished.back().folder));
+    try {
+      auto values = values_of_seed(measurement, number, k);
+      if (std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+        rows.push_back(std::move(values));
+    } catch (const results::ResultError& error) {
+      reason = error.what();
     }
-    if (read.size() < measured_by_[measurement].size()) continue;
-    for (std::size_t r = 0; r < read.size(); ++r) finished[r].result = &read[r];
-    auto values = plan_.measurements[measurement].simulated(finished);
-    if (std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
-      rows.push_back(std::move(values));
   }
   return rows;
+}
+
+/// Cost and state of a point's runs.
+void PointRuns::add_states(const Point& point, std::size_t number, PointOutcome& outcome) const {
+  for (const std::size_t run : runs_of(point))
+    for (int k = 0; k < plan_.seeds; ++k) {
+      const results::Job job = job_of(number, run, k);
+      const JobState state = state_of(options_.directory, job);
+      outcome.core_seconds += results::read_job_cost(options_.directory / job.folder).cpu_seconds;
+      if (state.stage == JobState::Stage::failed) {
+        outcome.state = "failed";
+        outcome.reason = state.reason;
+      } else if (state.stage == JobState::Stage::open && outcome.state == "finished") {
+        outcome.state = "left out";
+      }
+    }
 }
 
 PointOutcome PointRuns::outcome(const Point& point, std::size_t number) {
@@ -158,26 +198,16 @@ PointOutcome PointRuns::outcome(const Point& point, std::size_t number) {
     outcome.reason = refused->second;
     return outcome;
   }
-  for (const std::size_t run : runs_of(point))
-    for (int k = 0; k < plan_.seeds; ++k) {
-      const std::uint64_t seed = plan_.seed + static_cast<std::uint64_t>(k);
-      const results::Job job{"", seed, folder_of(number, run) + "/seed-" + std::to_string(seed)};
-      const JobState state = state_of(options_.directory, job);
-      outcome.core_seconds += results::read_job_cost(options_.directory / job.folder).cpu_seconds;
-      if (state.stage == JobState::Stage::failed) {
-        outcome.state = "failed";
-        outcome.reason = state.reason;
-      } else if (state.stage == JobState::Stage::open && outcome.state == "finished") {
-        outcome.state = "left out";
-      }
-    }
+  add_states(point, number, outcome);
   for (std::size_t m = 0; m < plan_.measurements.size(); ++m) {
     if (!(plan_.measurements[m].fitted ? point.fitted : point.checks)) continue;
-    outcome.values[m] = values_of(m, number);
-    if (outcome.state == "finished" && !outcome.has(m)) {
-      outcome.state = "failed";
-      outcome.reason = "its results have no value of \"" + plan_.measurements[m].name + '"';
-    }
+    std::string reason;
+    outcome.values[m] = values_of(m, number, reason);
+    if (outcome.state != "finished" || (outcome.has(m) && reason.empty())) continue;
+    if (!outcome.has(m)) outcome.state = "failed";
+    outcome.reason = outcome.has(m) ? "a seed has" : "its results have";
+    outcome.reason += " no value of \"" + plan_.measurements[m].name + '"';
+    if (!reason.empty()) outcome.reason += ": " + reason;
   }
   return outcome;
 }

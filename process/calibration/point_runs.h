@@ -10,6 +10,7 @@
 #include "process/calibration/calibration_file.h"
 #include "process/compare/job_folder.h"
 #include "process/compare/run_jobs.h"
+#include "process/compare/statistics.h"
 
 namespace diefill::process::calibration {
 
@@ -23,12 +24,15 @@ struct Point {
 
 /// What a point's runs gave.
 struct PointOutcome {
-  /// Measurement by measurement, a row of values for each seed whose runs are all finished and have them all.
+  /// Measurement by measurement, a row for each seed whose runs are all finished and have a value of it; NaN
+  /// at places without one.
   std::vector<std::vector<std::vector<double>>> values;
-  std::string state, reason;  ///< finished, failed or left out; why
+  std::string state, reason;  ///< finished, failed or left out; why, or why a seed of it has no value
   double core_seconds = 0;
 
   bool has(std::size_t measurement) const { return !values[measurement].empty(); }
+  /// One value of a measurement over the seeds that have it; without a mean where none has.
+  Sample over_seeds(std::size_t measurement, std::size_t place) const;
 };
 
 struct PointOptions {
@@ -45,7 +49,8 @@ class PointRuns {
   /// Runs what is not finished of these points, failed ones once. Points are identified by their place in the
   /// list, which only grows. Throws Interrupted, and std::runtime_error as run_jobs does.
   void run(const std::vector<Point>& points);
-  /// Throws SceneError where a result cannot have what is measured.
+  /// What the runs gave; of a result that is damaged or lacks what is measured, the reason. Throws SceneError
+  /// where no result can have it.
   PointOutcome outcome(const Point& point, std::size_t number);
   /// Whether the budget of processor time is spent.
   bool over_budget() const { return spent_ >= options_.jobs.cpu_seconds; }
@@ -57,8 +62,13 @@ class PointRuns {
  private:
   std::vector<std::size_t> runs_of(const Point& point) const;
   std::vector<Variant> variants_of(const Point& point, std::size_t number);
-  std::vector<std::vector<double>> values_of(std::size_t measurement, std::size_t number);
+  std::vector<double> values_of_seed(std::size_t measurement, std::size_t number, int k) const;
+  std::vector<std::vector<double>> values_of(std::size_t measurement, std::size_t number,
+                                             std::string& reason) const;
+  void add_states(const Point& point, std::size_t number, PointOutcome& outcome) const;
   std::string folder_of(std::size_t number, std::size_t run) const;
+  std::uint64_t seed_of(std::size_t number, int k) const;
+  results::Job job_of(std::size_t number, std::size_t run, int k) const;
 
   const CalibrationPlan& plan_;
   PointOptions options_;

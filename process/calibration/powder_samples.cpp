@@ -10,7 +10,9 @@
 #include "process/compare/statistics.h"
 #include "process/input/shown_value.h"
 #include "process/input/table_reader.h"
+#include "process/results/studies/quantiles.h"
 #include "process/scene/key_path.h"
+#include "process/scene/powder_file.h"
 #include "process/scene/scene_text.h"
 
 namespace diefill::process::calibration {
@@ -66,14 +68,33 @@ std::string assignments(const PowderRegion& region, const std::vector<double>& v
   return lines;
 }
 
+/// A sample of the region where its scene has walls and stiffness that the powder was fitted with: what the
+/// sample itself changes of these is no difference to warn of.
+Scene as_fitted(const Scene& scene, const Scene& sample) {
+  if (!fitted_with_warning(scene).empty() || fitted_with_warning(sample).empty()) return sample;
+  SceneChanges changes;
+  changes.called = "--powder-samples";
+  changes.set = fitted_with_text(fitted_with_of(sample, ""));
+  return changed_scene(sample.text, sample.file, changes);
+}
+
 Variant variant_of(const Scene& scene, const std::string& name, const std::string& folder,
                    const std::string& set, int seeds_later) {
   SceneChanges changes;
   changes.called = "--powder-samples";
   changes.set = set;
-  Variant variant{name, folder, changed_scene(scene.text, scene.file, changes)};
+  Variant variant{name, folder, as_fitted(scene, changed_scene(scene.text, scene.file, changes))};
   variant.scene.seed = scene.seed + static_cast<std::uint64_t>(seeds_later);
   return variant;
+}
+
+/// Whether powders scatter more than seeds do: with few runs the variances differ by chance, too.
+bool told_apart(const Sample& powders, const Sample& seeds) {
+  constexpr double kByChance = 0.1;
+  if (powders.count < 2 || seeds.count < 2) return false;
+  const double ratio = results::variance_ratio_exceeded(static_cast<double>(powders.count - 1),
+                                                        static_cast<double>(seeds.count - 1), kByChance);
+  return powders.scatter * powders.scatter > ratio * seeds.scatter * seeds.scatter;
 }
 
 /// One measure of the comparison's runs, in their order.
@@ -93,6 +114,7 @@ results::SpreadFigure spread_of(const results::ComparedMeasure& measure,
   figure.powder = std::sqrt(std::max(0.0, powders.scatter * powders.scatter - best.scatter * best.scatter));
   if (!std::isfinite(powders.scatter) || !std::isfinite(best.scatter))
     figure.powder = std::numeric_limits<double>::quiet_NaN();
+  figure.told_apart = told_apart(powders, best);
   return figure;
 }
 

@@ -1,5 +1,6 @@
 #include "process/calibration/screen.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "process/calibration/calibration_results.h"
@@ -7,6 +8,7 @@
 #include "process/calibration/methods/screening_effects.h"
 #include "process/input/units.h"
 #include "process/results/rounding.h"
+#include "process/results/word_list.h"
 #include "process/run/assemble.h"
 
 namespace diefill::process::calibration {
@@ -42,16 +44,48 @@ std::string name_of(const Measurement& measurement, std::size_t value) {
   return name;
 }
 
-/// Responses of one value over the design, seed by seed; empty where a run has none.
+/// A scene that a corner cannot have would take away all effects: it is named before hours are spent.
+void check_corners(const CalibrationPlan& plan, const std::vector<Point>& points) {
+  for (std::size_t run = 0; run < points.size(); ++run)
+    for (const Measurement& measurement : plan.measurements) {
+      if (!measurement.fitted) continue;
+      try {
+        for (const MeasurementRun& each : measurement.runs) scene_at(plan, each, points[run].place);
+      } catch (const SceneError& error) {
+        std::string setting;
+        for (std::size_t k = 0; k < plan.parameters.size(); ++k)
+          setting += (k == 0 ? "" : ", ") + plan.parameters[k].key + " = " +
+                     number_text(plan.parameters[k].value_at(points[run].place[k]));
+        throw SceneError(std::string(error.what()) + " (measurement \"" + measurement.name + "\", run " +
+                         std::to_string(run + 1) + " of the screening: " + setting + ")");
+      }
+    }
+}
+
+/// Responses of one value over the design, seed by seed; none for a run without a value.
 std::vector<std::vector<double>> responses_of(std::size_t measurement, std::size_t value,
                                               const SimulatedPoints& simulated) {
   std::vector<std::vector<double>> responses;
   for (const PointOutcome& outcome : simulated.outcomes) {
-    if (!outcome.has(measurement)) return {};
     responses.emplace_back();
-    for (const auto& row : outcome.values[measurement]) responses.back().push_back(row[value]);
+    for (const auto& row : outcome.values[measurement])
+      if (std::isfinite(row[value])) responses.back().push_back(row[value]);
   }
   return responses;
+}
+
+/// Why a quantity has no effects: the runs without a value of it; empty where all have one.
+std::string without_value(const std::string& name, const std::vector<std::vector<double>>& responses,
+                          const SimulatedPoints& simulated) {
+  constexpr std::size_t kMaxNamed = 4;
+  std::vector<std::string> runs;
+  for (std::size_t run = 0; run < responses.size(); ++run) {
+    const std::string& reason = simulated.outcomes[run].reason;
+    if (responses[run].empty())
+      runs.push_back("run " + std::to_string(run + 1) + (reason.empty() ? "" : " (" + reason + ')'));
+  }
+  if (runs.empty()) return {};
+  return "no effects on " + name + ", which has no value in " + results::comma_list(runs, kMaxNamed);
 }
 
 std::vector<double> means_of(const std::vector<std::vector<double>>& responses) {
@@ -79,6 +113,16 @@ std::string source_text(ErrorSource source) {
   return "nothing: too few runs; use two seeds or more";
 }
 
+/// y = mean + sum of coefficients times levels, which are -1 and 1: with these each is half an effect.
+std::vector<results::RegressionTerm> terms_of(const EffectModel& model) {
+  std::vector<results::RegressionTerm> terms;
+  for (std::size_t k = 0; k < model.coefficient.size(); ++k)
+    terms.push_back({factor_letter(k), model.coefficient[k]});
+  for (const PairTerm& term : model.pairs)
+    terms.push_back({factor_letter(term.pair.first) + factor_letter(term.pair.second), term.coefficient});
+  return terms;
+}
+
 void add_quantity(results::Screening& screening, const FractionalDesign& design, const std::string& name,
                   const std::string& unit, const std::vector<std::vector<double>>& responses) {
   const ScreeningEffects found = screening_effects(design, responses);
@@ -88,7 +132,7 @@ void add_quantity(results::Screening& screening, const FractionalDesign& design,
   const auto settings = settings_of(design, levels);
   screening.quantities.push_back({name, unit, found.mean, found.error, found.margin,
                                   prediction_error(model, settings, means, false),
-                                  prediction_error(model, settings, means, true)});
+                                  prediction_error(model, settings, means, true), terms_of(model)});
   screening.error_source = source_text(found.source);
   for (std::size_t k = 0; k < found.effects.size(); ++k)
     screening.effects[k].values.push_back(found.effects[k].value);
@@ -113,8 +157,11 @@ results::Screening screening_of(const CalibrationPlan& plan, const FractionalDes
     if (!measurement.fitted) continue;
     for (std::size_t value = 0; value < measurement.data.size(); ++value) {
       const auto responses = responses_of(m, value, simulated);
-      if (!responses.empty())
-        add_quantity(screening, design, name_of(measurement, value), measurement.data.value.unit, responses);
+      const std::string name = name_of(measurement, value);
+      if (const std::string reason = without_value(name, responses, simulated); !reason.empty())
+        screening.remarks.push_back(reason);
+      else
+        add_quantity(screening, design, name, measurement.data.value.unit, responses);
     }
   }
   return screening;
@@ -123,6 +170,7 @@ results::Screening screening_of(const CalibrationPlan& plan, const FractionalDes
 results::Calibration screen(const CalibrationPlan& plan, const CalibrateOptions& options) {
   const FractionalDesign design = design_for(plan);
   SimulatedPoints simulated{corners(design), {}};
+  check_corners(plan, simulated.points);
   PointRuns runs(plan, options.points);
   runs.run(simulated.points);
   for (std::size_t k = 0; k < simulated.points.size(); ++k)
@@ -131,6 +179,8 @@ results::Calibration screen(const CalibrationPlan& plan, const CalibrateOptions&
   account.command = options.command;
   account.program_version = program_version();
   account.screening = screening_of(plan, design, simulated);
+  account.remarks.insert(account.remarks.end(), account.screening.remarks.begin(),
+                         account.screening.remarks.end());
   account.stopped = runs.over_budget() ? "the budget is used" : "the design is complete";
   if (account.screening.quantities.empty())
     account.remarks.emplace_back("no quantity has values at all runs of the design: there are no effects");

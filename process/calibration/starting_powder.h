@@ -10,8 +10,8 @@
 namespace diefill::process::calibration {
 
 /// The text of the scene file with [powder], [contact] and [walls] of `powder` (a scene, or a powder file) in
-/// place of its own; its grain_diameter stays where it gives one. With an empty `powder`, the scene as it is.
-/// Throws SceneError.
+/// place of its own; its grain_diameter stays where it gives one. With an empty `powder`, the scene as it is,
+/// its powder file filled in. What the powder was fitted with is left out. Throws SceneError.
 std::string with_starting_powder(const std::filesystem::path& scene, const std::filesystem::path& powder);
 
 /// The same of a scene's text, read from `file`.

@@ -10,17 +10,24 @@
 #include "process/compare/statistics.h"
 #include "process/input/scene_error.h"
 #include "process/results/storage/result_file.h"
+#include "process/run/input_record.h"
 
 namespace diefill::process {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+/// A file as the first run that names it has read it.
+struct ReadFile {
+  std::string hash, folder;  ///< of its contents; of the run
+};
+
 /// What a comparison has besides its runs: fields, and by a measure's key why a run has no value of it.
 struct Gathered {
   std::map<std::string, std::vector<results::Field2D>> fields;  ///< by variant
   std::map<std::string, std::string> reasons;
   std::map<std::string, std::string> folders;  ///< of the runs, by variant, seed and final state
+  std::map<std::string, ReadFile> files;       ///< that runs have read, by name
 };
 
 /// The folder of an earlier run of the same variant with this seed and final state; empty: there is none.
@@ -30,6 +37,18 @@ std::string folder_of_the_same(const results::Job& job, const results::FillResul
   const std::string state = job.variant + '\n' + std::to_string(result.seed) + '\n' + result.state_hash;
   const auto [first, is_new] = gathered.folders.emplace(state, job.folder);
   return is_new ? "" : first->second;
+}
+
+/// Throws results::ResultError where the run has read other contents of a file than an earlier one, such as
+/// of pour.state: they differ by more than their scenes.
+void refuse_other_inputs(const results::Job& job, const results::FillResult& result, Gathered& gathered) {
+  const auto files = recorded_input_files(result);
+  if (!files) return;
+  for (const InputFile& file : *files) {
+    const auto& first = gathered.files.emplace(file.name, ReadFile{file.hash, job.folder}).first->second;
+    if (first.hash != file.hash)
+      throw results::ResultError("has read other contents of " + file.name + " than " + first.folder);
+  }
 }
 
 void take_further(results::ComparedRun& run, const results::FillResult& result,
@@ -86,6 +105,7 @@ results::ComparedRun compared_run(const std::filesystem::path& directory, const 
     if (const auto same = folder_of_the_same(job, result, gathered); !same.empty())
       throw results::ResultError("holds a copy of " + same + ", seed " + std::to_string(result.seed) +
                                  ", which is counted once");
+    refuse_other_inputs(job, result, gathered);
     take_values(run, result);
     take_further(run, result, further, gathered);
     run.state = "finished";

@@ -12,6 +12,7 @@
 #include "process/results/storage/result_file.h"
 #include "process/results/word_list.h"
 #include "process/run/checkpoint.h"
+#include "process/run/input_record.h"
 #include "process/scene/identity.h"
 
 namespace diefill::process {
@@ -49,14 +50,40 @@ bool ask_for_the_same(const std::string& a, const std::string& b, const fs::path
   }
 }
 
+/// What a job is to compute.
+struct JobScene {
+  std::string text;
+  bool begins_from_state = false;  ///< pour.state
+};
+
+JobScene job_scene(const Scene& scene, std::uint64_t seed,
+                   const std::function<std::string(const fs::path&)>& elsewhere) {
+  return {scene_text_with(scene, seed, elsewhere), scene.pour.state.has_value()};
+}
+
+/// Whether the run in the folder has begun from other contents of pour.state, which is named by its path,
+/// while copied files are named by their contents.
+bool began_from_another_state(const fs::path& folder, const JobScene& wanted) {
+  if (!wanted.begins_from_state) return false;
+  const auto then = input_files_read_in(folder);
+  return then && changed_file(input_files(wanted.text, folder / kJobScene), *then);
+}
+
+/// Whether the folder's scene asks for another computation, or its run has made another.
+bool holds_another(const fs::path& folder, const std::string& before, const JobScene& wanted) {
+  return (before != wanted.text && !ask_for_the_same(before, wanted.text, folder / kJobScene)) ||
+         began_from_another_state(folder, wanted);
+}
+
 /// Makes the job's scene file. Where the folder holds another computation, it is renamed, and its new path
 /// given.
-std::optional<fs::path> write_scene(const fs::path& folder, const std::string& text) {
+std::optional<fs::path> write_scene(const fs::path& folder, const JobScene& wanted) {
   const fs::path scene = folder / kJobScene;
   const std::string before = text_in(scene);
-  if (before == text) return std::nullopt;
+  const bool another = fs::exists(folder) && holds_another(folder, before, wanted);
+  if (before == wanted.text && !another) return std::nullopt;
   std::optional<fs::path> renamed;
-  if (fs::exists(folder) && !ask_for_the_same(before, text, scene)) {
+  if (another) {
     if (!fs::is_empty(folder)) renamed = back_up(folder);
   } else if (fs::exists(folder)) {
     // A limit of its computing may be another: what failed before is tried again.
@@ -64,7 +91,7 @@ std::optional<fs::path> write_scene(const fs::path& folder, const std::string& t
     if (text_in(code) != "0\n") fs::remove(code);
   }
   make_folder(folder);
-  results::write_text_atomically(scene, text);
+  results::write_text_atomically(scene, wanted.text);
   return renamed;
 }
 
@@ -157,13 +184,14 @@ results::JobList write_jobs(const fs::path& directory, const WantedJobs& wanted,
   const auto elsewhere = [&](const fs::path& file) { return "../../" + copies.copy(file); };
   std::vector<std::string> renamed;
   const auto list = jobs_of(wanted, [&](const std::string& folder, const Scene& scene, std::uint64_t seed) {
-    if (const auto kept = write_scene(directory / folder, scene_text_with(scene, seed, elsewhere)))
+    if (const auto kept = write_scene(directory / folder, job_scene(scene, seed, elsewhere)))
       renamed.push_back(folder + " as " + kept->filename().string());
   });
   const auto missing = left_out(directory, earlier, list, wanted.later);
   if (on_note && !renamed.empty())
     on_note("note: in " + directory.string() +
-            ", runs of a different scene were renamed: " + results::comma_list(renamed, kMaxListed));
+            ", runs of a different scene or from another pour.state were renamed: " +
+            results::comma_list(renamed, kMaxListed));
   if (on_note && !missing.empty())
     on_note("note: in " + directory.string() +
             ", earlier runs are no longer in the list and were left in place: " +
@@ -179,8 +207,8 @@ FoundJobs find_jobs(const fs::path& directory, const WantedJobs& wanted) {
   found.list = jobs_of(wanted, [&](const std::string& folder, const Scene& scene, std::uint64_t seed) {
     const fs::path file = directory / folder / kJobScene;
     if (!fs::exists(file)) return;
-    const std::string there = text_in(file), text = scene_text_with(scene, seed, elsewhere);
-    if (there != text && !ask_for_the_same(there, text, file)) found.other_scenes.insert(folder);
+    if (holds_another(directory / folder, text_in(file), job_scene(scene, seed, elsewhere)))
+      found.other_scenes.insert(folder);
   });
   return found;
 }

@@ -30,9 +30,10 @@ void check_seeds(const std::vector<Variant>& variants, int seeds);
 
 /// Writes into `directory`: `<variant>/seed-<k>/scene.toml` for every job; the files that scenes name into
 /// `tools/` (copied_files.h); and jobs.json. Jobs are listed seed by seed, so that all variants have their
-/// first result early. A folder whose scene asks for another computation now (scene/identity.h) is kept as
-/// `seed-<k>-previous-<n>`, with its contents; this, and results no longer in the list, is reported.
-/// Throws results::ResultError, and SceneError as check_seeds does.
+/// first result early. A folder whose scene asks for another computation now (scene/identity.h), or whose run
+/// has begun from other contents of pour.state, is kept as `seed-<k>-previous-<n>`, with its contents; this,
+/// and results no longer in the list, is reported. Throws results::ResultError, and
+/// SceneError as check_seeds does.
 results::JobList write_jobs(const std::filesystem::path& directory, const WantedJobs& wanted,
                             const NoteCallback& on_note);
 

@@ -157,7 +157,9 @@ void refuse_unphysical(const DischargeFit& found) {
   const auto refuse = [&](const std::string& name, const std::string& allowed, const std::string& meaning) {
     throw std::invalid_argument(
         "the points give " + name + " = " + number_text(found.number(name)) + ", allowed: " + allowed +
-        ", as " + meaning + "; check the points for slips, measure more of them, or fit another law (--law)");
+        ", as " + meaning + "; check the points for slips, measure more of them, or fit another law (--law)" +
+        (found.law == DischargeLaw::transient ? "; leave out with --until what came once the hopper was empty"
+                                              : ""));
   };
   if (has_burst(found.law)) {
     if (!(found.number("C_F") > 0)) refuse("C_F", "above 0", "it is the rate of the steady flow");
@@ -243,7 +245,7 @@ DischargeFit fit_discharge(DischargeLaw law, const DischargeData& given) {
   found.left_out = given.points.size() - data.points.size();
   for (Eigen::Index i = 0; i < count; ++i) {
     found.relative_scatter += std::pow(y[i] / found.fit.values[i] - 1, 2) / static_cast<double>(count);
-    if (has_burst(law))
+    if (!is_beverloo(law))
       found.largest_x = std::max(found.largest_x, x_of(law, data.points[static_cast<std::size_t>(i)], data));
   }
   found.relative_scatter = std::sqrt(found.relative_scatter);

@@ -42,7 +42,7 @@ struct DischargeFit {
   DischargeLaw law = DischargeLaw::moving_shoe;
   std::vector<std::string> names;  ///< of the numbers
   SeparableFit fit;
-  double largest_x = 0;              ///< of t sqrt(g/D) - 1/5 among the points, where the law has it
+  double largest_x = 0;              ///< of t sqrt(g/D) - 1/5 among the points; 0 for Beverloo's laws
   double relative_scatter = 0;       ///< root mean square of (value - fit) / fit
   std::size_t left_out = 0;          ///< points before the flow begins, or beyond 5 sqrt(g D)
   std::vector<DischargePoint> used;  ///< the points that were fitted

@@ -178,13 +178,30 @@ DischargePoint point_of(const CsvFile& file, const std::vector<Column>& columns,
   return point;
 }
 
-/// Takes time and mass as those since `opened`.
-void count_from(double opened, const std::filesystem::path& file, DischargeData& data) {
+/// Leaves out what was recorded after common.until.
+void leave_out_later(const CommonToAll& common, DischargeLaw law, const std::filesystem::path& file,
+                     DischargeData& data) {
+  if (!common.until) return;
+  const std::string found = "--until: found " + number_text(*common.until) + " s, ";
+  if (law != DischargeLaw::transient)
+    throw SceneError(found + "but law " + name_of(law) + " has no times; it is for law transient");
+  if (common.opened && *common.until <= *common.opened)
+    throw SceneError(found + "allowed: after --opened, " + number_text(*common.opened) + " s");
+  std::erase_if(data.points, [&](const auto& point) { return point.time > *common.until; });
+  if (data.points.empty())
+    throw SceneError(found + "but " + file.string() + " has no time up to then; check the time and its unit");
+}
+
+/// Takes time and mass as those since common.opened.
+void count_from_opening(const CommonToAll& common, const std::filesystem::path& file, DischargeData& data) {
+  if (!common.opened) return;
+  const double opened = *common.opened;
   const bool none = std::none_of(data.points.begin(), data.points.end(),
                                  [&](const auto& point) { return point.time >= opened; });
   if (none)
     throw SceneError("--opened: found " + number_text(opened) + " s, but " + file.string() +
-                     " has no time from then on; check the time and its unit");
+                     " has no time from then on" + (common.until ? " up to --until" : "") +
+                     "; check the time and its unit");
   double before = 0;
   for (const auto& point : data.points)
     if (point.time <= opened) before = std::max(before, point.value);
@@ -230,7 +247,8 @@ DischargeData read_discharge_table(const std::filesystem::path& path, DischargeL
     point.error *= data.density / density;
     data.points.push_back(point);
   }
-  if (common.opened) count_from(*common.opened, path, data);
+  leave_out_later(common, law, path, data);
+  count_from_opening(common, path, data);
   return data;
 }
 

@@ -12,6 +12,7 @@ namespace diefill::process::continuum {
 struct CommonToAll {
   std::optional<double> density, width, length, shoe_length, grain_diameter;
   std::optional<double> opened;  ///< s, when the slit opened; times count from then, earlier lines do not
+  std::optional<double> until = std::nullopt;  ///< s, on the clock of `opened`; later lines do not count
 };
 
 /// Reads the table for a law. The first line names the columns with their units: `speed m/s` or `time s`,

@@ -24,11 +24,13 @@ inline constexpr double kFull = 0.99;
 
 /// One opening below the shoe.
 struct OpeningEstimate {
-  std::string name;                       ///< "cavity", "cavity 2", "slit"
-  bool is_cavity = false;                 ///< else powder runs right through
+  std::string name;        ///< "cavity"; of several "cavity 1", the largest, "cavity 2"; "slit"
+  bool is_cavity = false;  ///< else powder runs right through
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< m, of a cavity
   double volume = 0, depth = 0;           ///< m^3, m (volume over area of the opening); 0 for a slit
   double area = 0;                        ///< m^2 of the opening
   double width = 0, effective_width = 0;  ///< m, of the opening; the same for grains of the scene's size
+  double narrowest = 0;                   ///< m, width of a cavity over its height
   double full_mass = 0;                   ///< kg at apparent density; 0 for a slit
   std::vector<double> offered;            ///< kg that would run in, floor or not, by crossing
   std::vector<double> mass;               ///< kg in it after each crossing
@@ -37,23 +39,45 @@ struct OpeningEstimate {
   double share = 0;                       ///< of full_mass after all crossings
   double least_share = 0;                 ///< the same if the inflow is less by the error
   double most_share = 0;                  ///< the same if it is more
+  double poured = 0;    ///< share of the opening that lies open below the powder that is poured
   double too_fast = 0;  ///< share of the opening where, in the first crossing, flow has no time to begin
-  std::optional<double> speed_once;   ///< m/s, fastest that fills it in one crossing
-  std::optional<double> speed_all;    ///< m/s, the same in as many crossings as the scene has
-  std::optional<int> crossings;       ///< needed at the scene's speed; nothing: more than kMaxCrossings
-  double froude = 0;                  ///< v_s / sqrt(g D), D the effective width
-  std::optional<double> air_escapes;  ///< s; nothing: particle size not known, or no cavity
-  double filling_time = 0;            ///< s that powder covers it in the first crossing, mean
+  std::optional<double> speed_once;      ///< m/s, fastest that fills it in one crossing
+  std::optional<double> speed_all;       ///< m/s, the same in as many crossings as the scene has
+  bool any_speed = false;                ///< it fills however fast the shoe goes, as that stands over it
+  std::optional<int> crossings;          ///< needed at the scene's speed; nothing: more than kMaxCrossings
+  std::optional<double> own_share;       ///< share filled by particles of the powder's own size
+  std::optional<double> own_speed_once;  ///< m/s, speed_once of these
+  /// sqrt(D / g), D the effective width, over the time that one portion of powder is over the opening: v_s /
+  /// sqrt(g D) for a slit across the motion.
+  double froude = 0;
+  std::optional<double> air_escapes;  ///< s; nothing: particle size not known, or no air is trapped
+  double air_trapped = 0;             ///< share of the time of all crossings in which powder covers it whole
+  double air_ratio = 0;     ///< that share of the time that air needs, over the time of all crossings
+  double filling_time = 0;  ///< s that powder covers it in the first crossing, mean
 };
+/// Share of the opening that counts as all of it.
+inline constexpr double kWhole = 0.98;
 inline constexpr int kMaxCrossings = 100;
 
 /// A punch that falls under the shoe.
 struct SuctionEstimate {
   FallingPunch punch;
   double volume_mass = 0;          ///< kg at apparent density in the room that it makes
+  double covered = 0;              ///< share of that room that is made while powder stands over it
   double by_weight = 0;            ///< kg that follow by their own weight while it falls
   std::optional<double> with_air;  ///< kg, drawn by air as well; nothing: particle size not known
   std::optional<double> pull;      ///< drag of the air on powder at rest over its weight
+  bool may_arch = false;           ///< narrow for these grains, and nothing breaks an arch
+};
+
+/// An opening that powder runs out of by itself, in a scene without a shoe.
+struct OutletEstimate {
+  double height = 0;  ///< m, z
+  bool round = false;
+  double width = 0;   ///< m, diameter of a round one, narrow side of a slit
+  double length = 0;  ///< m, of a slit
+  double rate = 0;    ///< kg/s, steady; 0: too narrow for these grains
+  double mass = 0;    ///< kg above it at first
 };
 
 /// A number without unit that orders scenes.
@@ -67,9 +91,11 @@ struct PowderEstimate {
   double density = 0;                ///< kg/m^3, apparent
   bool density_is_estimate = false;  ///< not weighed
   double solid_fraction = 0;
-  double in_shoe = 0;                       ///< kg
-  std::string name;                         ///< of [powder]
-  std::string left_out;                     ///< names of the scene's other powders; empty: it has none
+  double in_shoe = 0;    ///< kg, poured
+  double let_in = 0;     ///< kg, by steps that let powder in; infinite: as much as runs off
+  double depth = 0;      ///< m, of all that in the shoe
+  std::string name;      ///< of [powder]
+  std::string left_out;  ///< names of the scene's other powders; empty: it has none
   std::optional<double> particle_diameter;  ///< m, of the real powder
   std::string particle_source;              ///< where that comes from
   double air_viscosity = 0;                 ///< Pa s
@@ -89,10 +115,14 @@ struct Estimate {
   std::optional<double> crossing_time;  ///< s of one crossing, pauses apart
   std::vector<OpeningEstimate> openings;
   std::vector<SuctionEstimate> suctions;
+  std::optional<OutletEstimate> outlet;
+  bool only_shaken = false;  ///< tools are shaken or turned in place, and nothing else moves them
   std::vector<SceneNumber> numbers;
-  bool starved = false;  ///< the shoe holds less than runs in: masses are cut down to it
+  std::vector<std::string> unseen;  ///< cavities that are not seen from above, with their places
+  bool starved = false;             ///< the shoe holds less than runs in: masses are cut down to it
   KnownError error;
   Answer answer = Answer::open;
+  std::vector<std::string> open_because;  ///< why there is no answer, a clause each; empty: too close to call
 };
 
 /// Estimates a scene on its tools; no wall spheres are needed. `scene` may have its steps prepared or not.

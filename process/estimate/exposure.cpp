@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "process/estimate/shoe_poses.h"
 #include "process/tooling/plan_view.h"
-#include "process/tooling/stages.h"
 
 namespace diefill::process::estimate {
 
 namespace {
 
-constexpr int kDense = 400;          // instants of a step
 constexpr double kJustAbove = 5e-4;  // m above the shoe's lower edge, where its opening is taken
 constexpr double kAtRest = 1e-3;     // m of travel below which the shoe stands
+constexpr double kStill = 1e-9;      // m between two instants, below which it does not move
 
 /// Where powder stands in the shoe, in the shoe's frame.
 class Footprint {
@@ -32,32 +32,22 @@ class Footprint {
     if (!opening_.empty()) return opening_.contains(place);
     return (place.array() >= lower_.array()).all() && (place.array() <= upper_.array()).all();
   }
+  /// m, along a unit vector.
+  double extent(const Eigen::Vector2d& direction) const {
+    const Eigen::Vector2d size = opening_.empty() ? Eigen::Vector2d(upper_ - lower_) : opening_.size();
+    return direction.cwiseAbs().dot(size);
+  }
 
  private:
   Opening opening_;
   Eigen::Vector2d lower_, upper_;
 };
 
-/// The shoe seen from the die at one time.
-struct ShoePose {
-  double time;
-  Eigen::Matrix2d turn;   // takes places of the die to the shoe's frame
-  Eigen::Vector2d shift;  // m
-  Eigen::Vector2d place_in_shoe(const Eigen::Vector2d& at) const { return turn * (at - shift); }
-};
-
-std::vector<ShoePose> poses_of(const Scene& scene, const Tooling& tooling, const std::string& shoe) {
-  const Stages stages(scene);
-  const auto states = predicted(stages, kSettlingGuess);
-  const std::string& die = tooling.tools[tooling.die].spec.name;
-  std::vector<ShoePose> poses;
-  for (const double time : instants(stages, states, kDense)) {
-    const ToolPose below = pose_of(stages, states, die, time), above = pose_of(stages, states, shoe, time);
-    const Eigen::Matrix3d turn = above.rotation.transpose() * below.rotation;
-    const Eigen::Vector3d shift = below.rotation.transpose() * (above.translation - below.translation);
-    poses.push_back({time, turn.topLeftCorner<2, 2>(), shift.head<2>()});
-  }
-  return poses;
+/// The stretch of time between two poses, or the half of it in which the shoe comes or goes.
+void add_stretch(const ShoePose& from, const ShoePose& to, double share, Exposure& exposure) {
+  const double way = (to.shift - from.shift).norm();
+  exposure.travel += share * way;
+  if (way > kStill) exposure.moving += share * (to.time - from.time);
 }
 
 /// The stretches of time in which powder stands over `place`.
@@ -69,40 +59,47 @@ std::vector<Exposure> exposures_of(const OpeningPatch& place, const Footprint& p
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const bool open = !place.opens || poses[k].time >= *place.opens;
     const bool over = open && powder.holds(poses[k].place_in_shoe(place.at));
+    const ShoePose& before = poses[k > 0 ? k - 1 : k];
+    // It comes and goes between two instants: half way, on average.
+    const double between = 0.5 * (before.time + poses[k].time);
     if (over && !was_over) {
-      // It came between two instants: half way, on average.
-      found.push_back({k > 0 ? 0.5 * (poses[k - 1].time + poses[k].time) : poses[k].time, 0, 0});
-      entered = k > 0 ? Eigen::Vector2d(0.5 * (poses[k - 1].shift + poses[k].shift)) : poses[k].shift;
+      found.push_back({between, 0, 0, 0, 0});
+      entered = 0.5 * (before.shift + poses[k].shift);
     }
     if (was_over || over) {
+      Exposure& exposure = found.back();
       const bool leaves = was_over && !over;
-      const double time = leaves ? 0.5 * (poses[k - 1].time + poses[k].time) : poses[k].time;
       const Eigen::Vector2d shift =
-          leaves ? Eigen::Vector2d(0.5 * (poses[k - 1].shift + poses[k].shift)) : poses[k].shift;
-      found.back().seconds = std::max(0.0, time - found.back().began);
-      found.back().travel = (shift - entered).norm();
+          leaves ? Eigen::Vector2d(0.5 * (before.shift + poses[k].shift)) : poses[k].shift;
+      add_stretch(before, poses[k], was_over && over ? 1 : 0.5, exposure);
+      exposure.seconds = std::max(0.0, (leaves ? between : poses[k].time) - exposure.began);
+      exposure.reach = std::max(exposure.reach, (shift - entered).norm());
     }
     was_over = over;
   }
   return found;
 }
 
-/// Sets speed and length, the means over the area of the openings, of the first crossing that moves.
+/// Sets speed, stand and length, the means over the area of the openings, of the first crossing that moves.
 void measure_path(const OpeningLayout& layout, ShoePath& path) {
-  double area = 0, length = 0, seconds = 0;
+  double area = 0, length = 0, travel = 0, moving = 0, standing = 0;
   for (std::size_t k = 0; k < layout.places.size(); ++k) {
     path.crossings = std::max(path.crossings, path.exposures[k].size());
     for (const Exposure& exposure : path.exposures[k]) {
       if (exposure.travel < kAtRest) continue;
-      area += layout.places[k].area;
-      length += layout.places[k].area * exposure.travel;
-      seconds += layout.places[k].area * exposure.seconds;
+      const double weight = layout.places[k].area;
+      area += weight;
+      length += weight * exposure.reach;
+      travel += weight * exposure.travel;
+      moving += weight * exposure.moving;
+      standing += weight * exposure.standing();
       break;
     }
   }
   if (!(area > 0)) return;
   path.length = length / area;
-  path.speed = length / seconds;
+  path.standing = standing / area;
+  path.speed = travel / moving;
 }
 
 Eigen::Vector2d direction_of(const std::vector<ShoePose>& poses) {
@@ -123,10 +120,12 @@ ShoePath shoe_path(const Scene& scene, const Tooling& tooling, OpeningLayout& la
                                  [](const Tool& tool) { return tool.spec.role == ToolRole::shoe; });
   if (shoe == tooling.tools.end()) return path;
   path.tool = shoe->spec.name;
-  const auto poses = poses_of(scene, tooling, path.tool);
+  const auto poses = shoe_poses(scene, tooling, path.tool);
   if (poses.empty()) return path;
   const Footprint powder(scene, *shoe);
   path.direction = direction_of(poses);
+  path.extent = powder.extent(poses.front().turn * path.direction);
+  path.pours = pours_until_at_rest(scene);
   for (std::size_t k = 0; k < layout.places.size(); ++k) {
     layout.places[k].chord = layout.outline.chord(layout.places[k].at, path.direction);
     path.exposures[k] = exposures_of(layout.places[k], powder, poses);

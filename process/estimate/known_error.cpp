@@ -1,5 +1,7 @@
 #include "process/estimate/known_error.h"
 
+#include "process/scene/unchanged_preset.h"
+
 namespace diefill::process::estimate {
 
 namespace {
@@ -9,10 +11,11 @@ constexpr double kOfDistaloy = 1.5, kPacking = 0.05;
 
 }  // namespace
 
-KnownError known_error(const std::string& powder, bool own_law) {
-  if (powder == "Distaloy AE" && !own_law)
+KnownError known_error(const Scene& scene, bool own_law) {
+  const bool one_powder = scene.other_powders.empty() && scene.powder.sizes.empty();
+  if (one_powder && !own_law && powder_as_published(scene).name == "Distaloy AE")
     return {true, kOfDistaloy, kPacking, "process/estimate/against_runs.csv"};
-  return {false, 2, 0, "not measured"};
+  return {false, 2, 0, "not measured for this powder"};
 }
 
 }  // namespace diefill::process::estimate

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "process/scene/scene.h"
+
 namespace diefill::process::estimate {
 
 /// An error of the mass that runs in.
@@ -13,8 +15,9 @@ struct KnownError {
   std::string source;  ///< the table and its command; why not measured
 };
 
-/// The error for a powder of this preset's name. Where nothing was measured, a factor of two: so far apart
-/// are the published laws of the real powder and of model grains (Bierwisch 2009, Tables 4.1 and 5.2).
-KnownError known_error(const std::string& powder, bool own_law);
+/// The error for the scene's powder, as published and nothing else of it changed. Where nothing was measured,
+/// a factor of two: so far apart are the published laws of the real powder and of model grains (Bierwisch
+/// 2009, Tables 4.1 and 5.2).
+KnownError known_error(const Scene& scene, bool own_law);
 
 }  // namespace diefill::process::estimate

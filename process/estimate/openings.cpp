@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "process/estimate/motion_times.h"
 #include "process/tooling/plan_view.h"
 #include "process/tooling/stages.h"
 
@@ -14,6 +15,7 @@ constexpr double kJustBelow = 2e-4;  // m below the fill plane, where openings a
 constexpr double kPlaces = 2500;     // wanted in all openings together
 constexpr double kMaxWork = 2e7;     // places times pieces of outline
 constexpr double kMinFall = 5e-4;    // m, that a punch must go down
+constexpr double kBeside = 2e-4;     // m, to which the box of a cavity is exact
 constexpr double kMaxRows = 2000;    // slivers beside a tool have next to no area, and would want more
 constexpr int kFirstRows = 60, kDense = 200;
 
@@ -87,30 +89,44 @@ void measure_widths(const Outline& outline, std::vector<OpeningPatch>& places) {
         place.width = 2 * distance[k];
 }
 
-bool holds(const geometry::Box& box, const Eigen::Vector2d& place) {
-  return (place.array() >= box.lower.head<2>().array()).all() &&
-         (place.array() <= box.upper.head<2>().array()).all();
+bool holds(const geometry::Box& box, const Eigen::Vector2d& place, double beside) {
+  return (place.array() >= box.lower.head<2>().array() - beside).all() &&
+         (place.array() <= box.upper.head<2>().array() + beside).all();
 }
 
-/// Which cavity lies below a place: the smallest whose box holds it; the first where none does.
-std::size_t cavity_below(const std::vector<geometry::Cavity>& cavities, const Eigen::Vector2d& place) {
-  std::size_t best = 0;
+/// Which cavity lies below a place: the smallest whose box holds it, or else the first that is no farther
+/// beside it than boxes are exact; nothing where none is, as over a gap between two tools.
+std::optional<std::size_t> cavity_below(const std::vector<geometry::Cavity>& cavities,
+                                        const Eigen::Vector2d& place) {
+  for (std::size_t k = cavities.size(); k-- > 0;)
+    if (holds(cavities[k].box, place, 0)) return k;  // by falling volume: the last is the smallest
   for (std::size_t k = 0; k < cavities.size(); ++k)
-    if (holds(cavities[k].box, place)) best = k;  // by falling volume: the last is the smallest
-  return best;
+    if (holds(cavities[k].box, place, kBeside)) return k;
+  return std::nullopt;
 }
 
+FillOpening opening_of(const geometry::Cavity& cavity) {
+  FillOpening opening;
+  opening.is_cavity = true;
+  opening.volume = cavity.volume;
+  opening.narrowest = cavity.narrowest_width;
+  opening.centre = cavity.axis_origin.head<2>();
+  return opening;
+}
+
+/// Gives every place its cavity, drops those that have none, and sums up what the openings are.
 void sum_up(const Tooling& tooling, OpeningLayout& layout) {
   std::vector<geometry::Cavity> cavities;
   if (tooling.cavity.found) cavities.push_back(tooling.cavity);
   cavities.insert(cavities.end(), tooling.other_cavities.begin(), tooling.other_cavities.end());
-  layout.openings.resize(std::max<std::size_t>(1, cavities.size()));
-  for (std::size_t k = 0; k < cavities.size(); ++k) {
-    layout.openings[k].is_cavity = true;
-    layout.openings[k].volume = cavities[k].volume;
-  }
-  for (auto& place : layout.places) {
-    place.opening = cavities.empty() ? 0 : cavity_below(cavities, place.at);
+  for (const auto& cavity : cavities) layout.openings.push_back(opening_of(cavity));
+  if (cavities.empty()) layout.openings.emplace_back();
+  std::erase_if(layout.places, [&](OpeningPatch& place) {
+    const auto below = cavities.empty() ? 0 : cavity_below(cavities, place.at);
+    if (below) place.opening = *below;
+    return !below;
+  });
+  for (const auto& place : layout.places) {
     FillOpening& opening = layout.openings[place.opening];
     opening.area += place.area;
     opening.width += place.area * place.width;
@@ -141,27 +157,49 @@ std::optional<FallingPunch> fall_of(const Tooling& tooling, const Stages& stages
   return fall;
 }
 
-/// Finds the punches that fall, and which places they open.
-void find_falls(const Scene& scene, const Tooling& tooling, OpeningLayout& layout) {
+/// A punch that falls, with its top as the steps leave it.
+struct FallenPunch {
+  FallingPunch fall;
+  geometry::Mesh mesh;
+  double top = 0;  ///< m
+};
+
+/// Tools that go down in the die and end below the fill plane, the highest first.
+std::vector<FallenPunch> fallen_punches(const Scene& scene, const Tooling& tooling) {
   const Stages stages(scene);
   const auto states = predicted(stages, kSettlingGuess);
-  const auto times = instants(stages, states, kDense);
-  if (times.empty() || !tooling.cavity.found) return;
+  const auto times = motion_times(stages, states, kDense);
+  std::vector<FallenPunch> fallen;
+  const bool die_moves = stages.moves(tooling.tools[tooling.die].spec.name);
   for (const Tool& tool : tooling.tools) {
     if (tool.spec.role == ToolRole::shoe || &tool == &tooling.tools[tooling.die]) continue;
-    if (!stages.moves(tool.spec.name)) continue;
-    auto fall = fall_of(tooling, stages, states, times, tool);
+    if (!die_moves && !stages.moves(tool.spec.name)) continue;
+    const auto fall = fall_of(tooling, stages, states, times, tool);
     if (!fall || !(fall->ended > fall->began)) continue;
-    const geometry::Mesh mesh =
-        placed(tool.mesh, pose_in_die(tooling, stages, states, tool.spec.name, times.back()));
-    const PlanView view(mesh, mesh.bounding_box().upper.z() - kJustBelow);
+    FallenPunch punch = {
+        *fall, placed(tool.mesh, pose_in_die(tooling, stages, states, tool.spec.name, times.back()))};
+    punch.top = punch.mesh.bounding_box().upper.z();
+    if (punch.top < tooling.fill_plane) fallen.push_back(std::move(punch));
+  }
+  std::sort(fallen.begin(), fallen.end(),
+            [](const auto& one, const auto& other) { return one.top > other.top; });
+  return fallen;
+}
+
+/// Finds the punches that fall, and which places they open. A punch hides what lies below it.
+void find_falls(const Scene& scene, const Tooling& tooling, OpeningLayout& layout) {
+  if (!tooling.cavity.found) return;
+  for (FallenPunch& punch : fallen_punches(scene, tooling)) {
+    const PlanView view(punch.mesh, punch.top - kJustBelow);
+    const bool fills_the_opening = punch.top + punch.fall.stroke > tooling.fill_plane - kMinFall;
     for (auto& place : layout.places) {
-      if (!view.solid(place.at)) continue;
-      place.opens = fall->began;
-      fall->area += place.area;
-      fall->opening = place.opening;
+      if (place.punch || !view.solid(place.at)) continue;
+      place.punch = layout.punches.size();
+      if (fills_the_opening) place.opens = punch.fall.began;
+      punch.fall.area += place.area;
+      punch.fall.opening = place.opening;
     }
-    if (fall->area > 0) layout.punches.push_back(*fall);
+    if (punch.fall.area > 0) layout.punches.push_back(punch.fall);
   }
 }
 
@@ -171,7 +209,7 @@ OpeningLayout find_openings(const Scene& scene, const Tooling& tooling) {
   OpeningLayout layout;
   const Stages stages(scene);
   const auto states = predicted(stages, kSettlingGuess);
-  const auto times = instants(stages, states, kDense);
+  const auto times = motion_times(stages, states, kDense);
   const double end = times.empty() ? 0 : times.back();
   for (const Tool& tool : tooling.tools)
     if (tool.spec.role != ToolRole::shoe)

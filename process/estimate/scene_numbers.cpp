@@ -39,8 +39,8 @@ std::vector<SceneNumber> scene_numbers(const Scene& scene, const Estimate& estim
   for (const OpeningEstimate& opening : estimate.openings)
     if (opening.froude > 0)
       numbers.push_back({"Froude, " + opening.name,
-                         "shoe speed over sqrt(g D), D the effective opening; beyond 5 nothing "
-                         "runs in (Eq. 5.17)",
+                         "shoe speed over sqrt(g D), D the effective opening, times D over its length "
+                         "along the motion where that is more; beyond 5 nothing runs in (Eq. 5.17)",
                          "Bierwisch 2009, section 5.2.2", opening.froude});
   if (!scene.contact) add_contact_numbers(scene, numbers);
   if (estimate.powder.air_number)

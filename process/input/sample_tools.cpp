@@ -1,18 +1,28 @@
 #include "process/input/sample_tools.h"
 
-#include <array>
 #include <system_error>
 
 namespace diefill::process {
 
-std::filesystem::path sample_tools_folder() {
-  namespace fs = std::filesystem;
-  std::error_code unknown;  // where /proc is not mounted
-  const fs::path program = fs::read_symlink("/proc/self/exe", unknown).parent_path();
-  constexpr std::array kPlaces = {"../../sample_tools", "../share/diefill/sample_tools"};
-  for (const char* place : kPlaces)
-    if (fs::exists(program / place)) return fs::weakly_canonical(program / place);
+namespace fs = std::filesystem;
+
+bool in_source_tree(const fs::path& sample_tools) {
+  std::error_code unknown;
+  return fs::exists(sample_tools / "../CMakeLists.txt", unknown);
+}
+
+fs::path sample_tools_beside(const fs::path& program) {
+  std::error_code unknown;
+  const fs::path installed = program / "../share/diefill/sample_tools",
+                 built = program / "../../sample_tools";
+  if (fs::exists(installed, unknown)) return fs::weakly_canonical(installed);
+  if (fs::exists(built, unknown) && in_source_tree(built)) return fs::weakly_canonical(built);
   return "sample_tools";
+}
+
+fs::path sample_tools_folder() {
+  std::error_code unknown;  // where /proc is not mounted
+  return sample_tools_beside(fs::read_symlink("/proc/self/exe", unknown).parent_path());
 }
 
 }  // namespace diefill::process

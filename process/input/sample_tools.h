@@ -5,8 +5,14 @@
 
 namespace diefill::process {
 
-/// `sample_tools` of the source tree that the program was built in or, once installed, of ../share/diefill
-/// seen from the program; where there is neither, that of the current folder.
+/// The sample tools of a program in the folder `program`: installed in ../share/diefill, or those of the
+/// source tree whose build it belongs to; where there is neither, `sample_tools` of the current folder.
+std::filesystem::path sample_tools_beside(const std::filesystem::path& program);
+
+/// The same of the program that runs.
 std::filesystem::path sample_tools_folder();
+
+/// Whether `sample_tools` is that of a source tree: a CMakeLists.txt stands beside it.
+bool in_source_tree(const std::filesystem::path& sample_tools);
 
 }  // namespace diefill::process

@@ -1,10 +1,10 @@
 #include "process/input/text_encoding.h"
 
-#include <cstdio>
 #include <string_view>
 
 #include "process/input/scene_error.h"
 #include "process/input/utf8.h"
+#include "process/results/formatted.h"
 
 namespace diefill::process {
 namespace {
@@ -30,9 +30,7 @@ std::string wide_encoding(std::string_view text) {
 }
 
 std::string byte_text(char letter) {
-  char text[8];
-  std::snprintf(text, sizeof text, "0x%02X", static_cast<unsigned>(static_cast<unsigned char>(letter)));
-  return text;
+  return results::formatted("0x%02X", static_cast<unsigned>(static_cast<unsigned char>(letter)));
 }
 
 }  // namespace

@@ -2,18 +2,16 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 #include "process/measure/measure.h"
+#include "process/results/formatted.h"
 
 namespace diefill::process {
 namespace {
 
 std::string seconds(double time) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g s", time);
-  return text;
+  return results::formatted("%.4g s", time);
 }
 
 void refuse(const results::FillResult& result, double time) {

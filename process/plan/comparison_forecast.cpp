@@ -117,6 +117,7 @@ ComparisonForecast forecast_comparison(const std::vector<Variant>& variants, con
   if (options.pilot) comparison.wall_seconds = 0;
   for (const Variant& variant : variants) {
     const Prepared prepared(variant, options.on_progress);
+    if (options.tools_ready) options.tools_ready(prepared.scene, prepared.tooling);
     VariantForecast& own = comparison.variants.emplace_back();
     own.name = variant.name;
     RestTimes rest;

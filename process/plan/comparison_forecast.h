@@ -35,7 +35,8 @@ struct ComparisonForecast {
   std::optional<double> wall_seconds;  ///< s, of all, one after the other
 };
 
-/// Builds every variant's tools and runs a pilot for each powder and law among them. Throws as a run would.
+/// Builds every variant's tools, gives them to options.tools_ready, and runs a pilot for each powder and law
+/// among them. Throws as a run would.
 ComparisonForecast forecast_comparison(const std::vector<Variant>& variants, const PlanOptions& options);
 
 /// s of wall-clock time that the forecast has for what comes after the first `seconds` of simulated time;

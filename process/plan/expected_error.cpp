@@ -9,6 +9,7 @@
 #include "process/plan/grain_size_trends.h"
 #include "process/plan/setting.h"
 #include "process/results/word_list.h"
+#include "process/scene/unchanged_preset.h"
 
 namespace diefill::process::plan {
 
@@ -113,6 +114,8 @@ SceneLengths lengths_of(const Scene& scene, const Tooling& tooling, double openi
 
 std::vector<ExpectedError> expected_errors(const PowderSpec& powder, double grain_diameter,
                                            const SceneLengths& lengths) {
+  // A preset with other parameters is a powder that was not measured.
+  if (!is_unchanged_preset(powder)) return errors_of_size({}, grain_diameter, lengths);
   auto errors = errors_of_size(powder.name, grain_diameter, lengths);
   if (auto error = error_of_bed(powder, grain_diameter, lengths.cavity)) errors.push_back(*error);
   return errors;

@@ -32,7 +32,8 @@ SceneLengths lengths_of(const Scene& scene, const Tooling& tooling, double openi
 /// grains of no size: the largest over the scenes of grain_size_trends.h, of the same powder where it was
 /// measured. With a cavity of mass, mean solid fraction and unevenness; without, of the mass that runs
 /// through an opening; with neither, of the powder's solid fraction and the slope of a heap. For presets with
-/// a published bed its solid fraction as well. Empty where nothing applies.
+/// a published bed its solid fraction as well. A preset of which the scene changes something counts as
+/// another powder: give powder_as_published(). Empty where nothing applies.
 std::vector<ExpectedError> expected_errors(const PowderSpec& powder, double grain_diameter,
                                            const SceneLengths& lengths);
 

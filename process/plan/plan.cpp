@@ -7,6 +7,7 @@
 #include "process/plan/pilot_cache.h"
 #include "process/plan/settle.h"
 #include "process/powder/material.h"
+#include "process/scene/unchanged_preset.h"
 #include "process/setup/build_tooling.h"
 #include "process/setup/cover_tooling.h"
 #include "process/setup/predicted_work.h"
@@ -38,8 +39,8 @@ Choice choice_of(const std::string& name, const Scene& scene, const Tooling& too
   Choice choice;
   choice.name = name;
   choice.forecast = pilot ? forecast(scene, tooling, *pilot) : forecast(scene, tooling);
-  choice.errors =
-      expected_errors(scene.powder, scene.powder.grain_diameter, lengths_of(scene, tooling, opening));
+  choice.errors = expected_errors(powder_as_published(scene), scene.powder.grain_diameter,
+                                  lengths_of(scene, tooling, opening));
   return choice;
 }
 

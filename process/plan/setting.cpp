@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "process/input/shown_value.h"
 #include "process/powder/material.h"
+#include "process/results/formatted.h"
 #include "process/scene/powder_presets.h"
 #include "process/scene/reading/sections.h"
 #include "process/scene/scene_text.h"
@@ -16,13 +16,6 @@
 namespace diefill::process::plan {
 
 namespace {
-
-template <class... Numbers>
-std::string line(const char* format, Numbers... numbers) {
-  char text[300];
-  std::snprintf(text, sizeof text, format, numbers...);
-  return text;
-}
 
 /// A length or time that is to be written into a scene: rounded down to three digits.
 double rounded_down(double value) {
@@ -46,11 +39,12 @@ void bound_by_box(const Scene& scene, std::vector<Bound>& bounds) {
   const double grains_across = 4 * largest_over_mean(scene);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (const auto period = scene.numerics.period[axis])
-      bounds.push_back({*period / grains_across, line("a quarter of the period of %.4g mm", 1e3 * *period)});
+      bounds.push_back(
+          {*period / grains_across, results::formatted("a quarter of the period of %.4g mm", 1e3 * *period)});
     const auto i = static_cast<Eigen::Index>(axis);
     const double width = scene.pour.upper[i] - scene.pour.lower[i];
-    bounds.push_back(
-        {width / grains_across, line("a quarter of the pour box width of %.4g mm", 1e3 * width)});
+    bounds.push_back({width / grains_across,
+                      results::formatted("a quarter of the pour box width of %.4g mm", 1e3 * width)});
   }
 }
 
@@ -64,17 +58,19 @@ Bound coarsest(Setting setting, const Scene& scene, const geometry::Cavity& cavi
     const double factor = (quick ? 2 : 1) * kProvenFactor;
     bounds.push_back(
         {factor * calibrated,
-         quick ? line("%.3g times the calibrated size, above the range validated against published figures",
-                      factor)
-               : line("%.3g times the calibrated size, the limit of the range validated against published "
-                      "figures",
-                      factor)});
+         quick ? results::formatted(
+                     "%.3g times the calibrated size, above the range validated against published figures",
+                     factor)
+               : results::formatted(
+                     "%.3g times the calibrated size, the limit of the range validated against published "
+                     "figures",
+                     factor)});
   }
   if (cavity.found && cavity.narrowest_width > 0) {
     const double share = quick ? kCoarsestRun : kCoarsestToDecide;
-    bounds.push_back(
-        {share * cavity.narrowest_width, quick ? line("%.2f of the narrowest width, a first look only", share)
-                                               : std::string("a third of the narrowest width")});
+    bounds.push_back({share * cavity.narrowest_width,
+                      quick ? results::formatted("%.2f of the narrowest width, a first look only", share)
+                            : std::string("a third of the narrowest width")});
   }
   bound_by_box(scene, bounds);
   return *std::min_element(bounds.begin(), bounds.end(),
@@ -103,12 +99,13 @@ void choose_fill_height(SettingNumbers& numbers, Setting setting, const Scene& s
   const bool keep = !setting_of(scene) && (setting == Setting::reference || !cavity.found);
   numbers.fill_height = keep ? given : std::min(given, enough);
   if (numbers.fill_height < given)
-    numbers.reasons.push_back(
-        line("powder in the shoe %.4g mm deep: 19 mm, above which depth has no effect (Bierwisch 2009, "
-             "section 4.1.6), plus what the cavity takes",
-             1e3 * numbers.fill_height));
+    numbers.reasons.push_back(results::formatted(
+        "powder in the shoe %.4g mm deep: 19 mm, above which depth has no effect (Bierwisch 2009, "
+        "section 4.1.6), plus what the cavity takes",
+        1e3 * numbers.fill_height));
   else
-    numbers.reasons.push_back(line("powder in the shoe %.4g mm deep, as in the scene", 1e3 * given));
+    numbers.reasons.push_back(
+        results::formatted("powder in the shoe %.4g mm deep, as in the scene", 1e3 * given));
 }
 
 /// Scenes write 0.47 mm for the 0.4704 mm of model D (process/scene/README.md).
@@ -141,7 +138,7 @@ void replace(toml::table& document, const std::string& table, const std::string&
 /// In the key where powders of their kind have it.
 void set_grain_size(toml::table& powder, const std::string& name, double millimetres,
                     std::vector<std::string>& said) {
-  const std::string text = line("%.4g mm", millimetres);
+  const std::string text = results::formatted("%.4g mm", millimetres);
   if (toml::table* sizes = powder["sizes"].as_table())
     replace_in(*sizes, name + ".sizes", "mean_size", text, said);
   else
@@ -166,7 +163,7 @@ void choose_time_step(SettingNumbers& numbers, const Scene& scene, double factor
   if (published <= default_time_step(scene, numbers.grain_diameter)) {
     numbers.time_step = published;
     numbers.reasons.push_back(
-        line("time step of %.3g s, the published one scaled with the grain size", published));
+        results::formatted("time step of %.3g s, the published one scaled with the grain size", published));
   } else {
     numbers.reasons.push_back("time step as the program chooses, shorter than the published one");
   }
@@ -194,11 +191,11 @@ SettingNumbers numbers_of(Setting setting, const Scene& scene, const geometry::C
   SettingNumbers numbers;
   const Bound bound = coarsest(setting, scene, cavity);
   numbers.grain_diameter = bound.diameter;
-  numbers.reasons.push_back(line("grains of %.4g mm: ", 1e3 * bound.diameter) + bound.reason);
+  numbers.reasons.push_back(results::formatted("grains of %.4g mm: ", 1e3 * bound.diameter) + bound.reason);
   const double factor = bound.diameter / calibrated_diameter(scene.powder);
   const double sphere_radius = factor * scene.powder.sphere_radius;
   if (setting == Setting::quick) numbers.wall_spacing = coarsest_spacing(scene, sphere_radius);
-  numbers.reasons.push_back(line("wall spheres spaced %.2g radii apart", numbers.wall_spacing));
+  numbers.reasons.push_back(results::formatted("wall spheres spaced %.2g radii apart", numbers.wall_spacing));
   if (setting == Setting::reference) choose_time_step(numbers, scene, factor);
   choose_fill_height(numbers, setting, scene, cavity);
   return numbers;
@@ -215,9 +212,10 @@ Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std:
   if (document.contains("numerics"))
     for (const char* key : {"time_step", "time_step_fraction"}) document["numerics"].as_table()->erase(key);
   if (numbers.time_step)
-    replace(document, "numerics", "time_step", line("%.4g us", 1e6 * *numbers.time_step), said);
+    replace(document, "numerics", "time_step", results::formatted("%.4g us", 1e6 * *numbers.time_step), said);
   replace(document, "walls", "spacing", numbers.wall_spacing, said);
-  replace(document, "pour", "fill_height", line("%.4g mm", rounded_down(1e3 * numbers.fill_height)), said);
+  replace(document, "pour", "fill_height",
+          results::formatted("%.4g mm", rounded_down(1e3 * numbers.fill_height)), said);
   try {
     return scene_of(document, as_comment(said) + scene_text_of(document), scene.file);
   } catch (const SceneError& error) {

@@ -13,6 +13,7 @@
 #include "process/measure/figures/heap_slope.h"
 #include "process/measure/figures/zone_history.h"
 #include "process/measure/measure.h"
+#include "process/results/formatted.h"
 #include "process/results/storage/hash_text.h"
 #include "process/run/figures/margin_warnings.h"
 #include "process/run/figures/measure_cavities.h"
@@ -196,9 +197,7 @@ std::vector<results::SectionPlane> wanted_sections(const Scene& scene) {
 /// What stands behind the names of a scene that is not over, so that pages and pictures tell.
 std::string unfinished_mark(const FillRun& run) {
   if (!run.ran_out_of_time()) return {};
-  char text[60];
-  std::snprintf(text, sizeof text, " (UNFINISHED, at t = %.4g s)", run.simulation().time());
-  return text;
+  return results::formatted(" (UNFINISHED, at t = %.4g s)", run.simulation().time());
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include "engine/observe/powder_figures.h"
 #include "process/input/units.h"
-#include "process/scene/powder_file.h"
 #include "process/scene/powder_presets.h"
 #include "process/scene/walls_without_effect.h"
 
@@ -38,7 +37,6 @@ std::vector<std::string> economies_text(const Scene& scene, const engine::Simula
     lines.push_back("powder in the shoe farther than " + number_text(1e3 * *scene.economy.carry_beyond) +
                     " mm from a cavity was moved as a rigid block: " + left_out(simulation, sphere_steps));
   if (const std::string limit = preset_warning(scene.powder); !limit.empty()) lines.push_back(limit);
-  if (const std::string other = fitted_with_warning(scene); !other.empty()) lines.push_back(other);
   for (const std::string& line : walls_without_effect(scene)) lines.push_back(line);
   return lines;
 }

@@ -59,6 +59,13 @@ std::string text_so_far(const Scene& scene, const ScheduleState& schedule, doubl
   return scene_text_of(document);
 }
 
+/// What the files that the powder begins with hold, such as pour.state: their names say nothing of it.
+void add_powder_files(engine::Fnv1a& hash, const Scene& scene) {
+  toml::table document = relevant_document(scene.text, scene.file);
+  document.erase("step");  // name_by_contents()
+  for (const InputFile& file : input_files(scene_text_of(document), scene.file)) hash.add(file.hash);
+}
+
 void add_vector(engine::Fnv1a& hash, const Eigen::Vector3d& vector) {
   hash.add(vector.data(), sizeof(double) * 3);
 }
@@ -85,6 +92,7 @@ std::uint64_t start_hash(const Scene& scene, const Tooling& tooling, const RunFr
                          const ScheduleState& schedule, double now) {
   engine::Fnv1a hash;
   hash.add(text_so_far(scene, schedule, now));
+  add_powder_files(hash, scene);
   hash.add_number(scene.seed);
   add_tools(hash, tooling);
   hash.add_number(frame.time_step);

@@ -20,8 +20,8 @@ struct RunFrame {
 
 /// Hash of all that has acted on a run up to `now` (s): the scene without its title, limits and intervals of
 /// computing (scene/identity.h), snapshots and the effects of steps that have not begun, or begin now without
-/// having touched the powder; walls as they are covered; time step and domain. Runs of equal hash are in the
-/// same state, bit for bit.
+/// having touched the powder; the files that powder begins with; walls as they are covered; time step and
+/// domain. Runs of equal hash are in the same state, bit for bit.
 std::uint64_t start_hash(const Scene& scene, const Tooling& tooling, const RunFrame& frame,
                          const ScheduleState& schedule, double now);
 

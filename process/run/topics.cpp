@@ -1,13 +1,13 @@
 #include "process/run/topics.h"
 
 #include <cctype>
-#include <cstdio>
 
 #include "engine/coarse_graining/methods.h"
 #include "engine/numerics/vector_instructions.h"
 #include "process/powder/law_terms.h"
 #include "process/powder/scene_laws.h"
 #include "process/powder/tool_surface.h"
+#include "process/results/formatted.h"
 #include "process/run/assemble.h"
 #include "process/scene/contact_spec.h"
 #include "process/scene/setting.h"
@@ -19,13 +19,6 @@
 namespace diefill::process {
 
 namespace {
-
-/// `format` holds one number.
-std::string with_number(const char* format, double value) {
-  char text[240];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 void state(results::Topic& topic, const std::string& name, const std::string& text) {
   topic.name.push_back(name);
@@ -60,18 +53,18 @@ results::Topic powder_topic(const Scene& scene) {
           other.powder.name + ", " + amount_text(scene, other) + ", " + model_text(other.powder));
   if (powder.apparent_density > 0)
     state(topic, "Apparent density of the real powder",
-          with_number("%.4g kg/m\u00b3", powder.apparent_density));
+          results::formatted("%.4g kg/m\u00b3", powder.apparent_density));
   state(topic, "Grain model", model_text(powder));
-  state(topic, "Calibrated grain size", with_number("%.4g mm", 1e3 * fine));
-  state(
-      topic, "Grain size as simulated",
-      with_number("%.4g mm", 1e3 * powder.grain_diameter) + (powder.sizes.empty() ? "" : " (of mean mass)"));
+  state(topic, "Calibrated grain size", results::formatted("%.4g mm", 1e3 * fine));
+  state(topic, "Grain size as simulated",
+        results::formatted("%.4g mm", 1e3 * powder.grain_diameter) +
+            (powder.sizes.empty() ? "" : " (of mean mass)"));
   if (!powder.sizes.empty()) state(topic, "Grain sizes", powder.sizes_text);
   const double factor = coarse_graining_factor(powder);
   state(topic, "Coarse graining",
-        with_number("factor %.3g: ", factor) +
-            with_number("one simulated grain represents %.4g calibrated grains of the same powder",
-                        factor * factor * factor));
+        results::formatted("factor %.3g: ", factor) +
+            results::formatted("one simulated grain represents %.4g calibrated grains of the same powder",
+                               factor * factor * factor));
   return topic;
 }
 
@@ -89,17 +82,18 @@ void add_named_laws(const ContactSpec& contact, results::Topic& topic) {
 void add_own_law(const Scene& scene, results::Topic& topic) {
   const auto contact = coarse_material(scene);
   state(topic, "Normal force",
-        with_number("Hertz, reduced modulus %.3g MPa", 1e-6 * contact.reduced_modulus) +
-            with_number(", damping %.3g Pa s (Bierwisch 2009, section 2.2)", contact.damping));
+        results::formatted("Hertz, reduced modulus %.3g MPa", 1e-6 * contact.reduced_modulus) +
+            results::formatted(", damping %.3g Pa s (Bierwisch 2009, section 2.2)", contact.damping));
   state(topic, "Cohesion",
         contact.work_of_adhesion > 0
-            ? with_number("work of adhesion %.3g J/m\u00b2 at the simulated size", contact.work_of_adhesion)
+            ? results::formatted("work of adhesion %.3g J/m\u00b2 at the simulated size",
+                                 contact.work_of_adhesion)
             : "none");
   state(topic, "Friction",
-        with_number("Coulomb, coefficient %.3g, ", contact.friction) +
-            with_number("tangential stiffness %.3g N/m", contact.tangential));
+        results::formatted("Coulomb, coefficient %.3g, ", contact.friction) +
+            results::formatted("tangential stiffness %.3g N/m", contact.tangential));
   if (scene.powder.model == GrainModel::B)
-    state(topic, "Rolling friction", with_number("%.3g mm", 1e3 * contact.rolling_friction));
+    state(topic, "Rolling friction", results::formatted("%.3g mm", 1e3 * contact.rolling_friction));
 }
 
 results::Topic model_topic(const Scene& scene, const engine::SimulationSettings& settings) {
@@ -112,13 +106,13 @@ results::Topic model_topic(const Scene& scene, const engine::SimulationSettings&
     add_own_law(scene, topic);
   state(topic, "Air",
         settings.air_viscosity > 0
-            ? with_number("Stokes drag on every sphere, viscosity %.3g Pa s", settings.air_viscosity)
+            ? results::formatted("Stokes drag on every sphere, viscosity %.3g Pa s", settings.air_viscosity)
             : "none");
   if (scene.suction)
     state(topic, "Suction",
           "motion of the " + scene.suction->tool + " draws air through the powder in the cavity, " +
-              with_number("particles of %.3g mm (Darcy, Kozeny-Carman), no leakage",
-                          1e3 * scene.suction->particle_diameter));
+              results::formatted("particles of %.3g mm (Darcy, Kozeny-Carman), no leakage",
+                                 1e3 * scene.suction->particle_diameter));
   state(topic, "Rule of coarse graining",
         !contact || contact->coarse_graining == kBierwischScaling
             ? "Bierwisch 2009, chapter 3: preserves free fall, bulk flow and packing"
@@ -142,31 +136,31 @@ results::Topic walls_topic(const Scene& scene) {
                                                                           : "R_eff as on wall spheres") +
               ": " + meshes + "; their wall spheres serve only to cut Voronoi cells for measuring");
   state(topic, "Wall spheres",
-        with_number("radius %.4g mm, ", 1e3 * walls.sphere_radius) +
-            with_number("spacing %.3g radii", walls.spacing));
+        results::formatted("radius %.4g mm, ", 1e3 * walls.sphere_radius) +
+            results::formatted("spacing %.3g radii", walls.spacing));
   if (scene.contact) return topic;
-  state(topic, "Friction of walls", with_number("coefficient %.3g", walls.friction));
+  state(topic, "Friction of walls", results::formatted("coefficient %.3g", walls.friction));
   state(topic, "Cohesion of walls",
-        walls.work_of_adhesion > 0 ? with_number("%.3g J/m\u00b2", walls.work_of_adhesion) : "none");
+        walls.work_of_adhesion > 0 ? results::formatted("%.3g J/m\u00b2", walls.work_of_adhesion) : "none");
   for (const ToolSpec& tool : scene.tools)
     if (has_own_surface(tool))
       state(topic, "Surface of " + tool.name,
-            with_number("coefficient of friction %.3g, ", friction_of(scene, tool)) +
-                with_number("work of adhesion %.3g J/m\u00b2", adhesion_of(scene, tool)));
+            results::formatted("coefficient of friction %.3g, ", friction_of(scene, tool)) +
+                results::formatted("work of adhesion %.3g J/m\u00b2", adhesion_of(scene, tool)));
   return topic;
 }
 
 results::Topic numerics_topic(const Scene& scene, const FillRun& run) {
   const auto& settings = run.simulation().settings();
   results::Topic topic{"numerics", {}, {}};
-  state(topic, "Time step", with_number("%.4g s", settings.time_step));
-  state(topic, "Critical time step", with_number("%.4g s", run.critical_time_step()));
-  state(topic, "Threads", with_number("%.0f; results do not depend on the number", settings.threads));
-  state(topic, "Gravity", with_number("%.4g m/s\u00b2", scene.gravity.norm()));
+  state(topic, "Time step", results::formatted("%.4g s", settings.time_step));
+  state(topic, "Critical time step", results::formatted("%.4g s", run.critical_time_step()));
+  state(topic, "Threads", results::formatted("%d; results do not depend on the number", settings.threads));
+  state(topic, "Gravity", results::formatted("%.4g m/s\u00b2", scene.gravity.norm()));
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (scene.numerics.period[axis])
       state(topic, std::string("Period along ") + "xyz"[axis],
-            with_number("%.4g mm", 1e3 * *scene.numerics.period[axis]));
+            results::formatted("%.4g mm", 1e3 * *scene.numerics.period[axis]));
   return topic;
 }
 

@@ -101,6 +101,7 @@ bool merge_powder_file(toml::table& document, const std::filesystem::path& scene
   }
   toml::table from_file = parse_scene_text(text, file);
   check(from_file, file);
+  make_spheres_file_absolute(from_file, file);
   if (document.contains("setting")) leave_to_setting(from_file);
   powder->erase("file");
   lay_under(*powder, *from_file["powder"].as_table());
@@ -109,6 +110,14 @@ bool merge_powder_file(toml::table& document, const std::filesystem::path& scene
       contact != nullptr && !document.contains("contact"))
     document.insert("contact", std::move(*contact));
   return true;
+}
+
+void make_spheres_file_absolute(toml::table& document, const std::filesystem::path& file) {
+  toml::table* powder = document["powder"].as_table();
+  if (powder == nullptr) return;
+  if (const auto spheres = (*powder)["spheres_file"].value_exact<std::string>())
+    powder->insert_or_assign(
+        "spheres_file", std::filesystem::absolute(file.parent_path() / *spheres).lexically_normal().string());
 }
 
 std::optional<FittedWith> read_fitted_with(TableReader& powder) {

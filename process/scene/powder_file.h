@@ -19,6 +19,10 @@ namespace diefill::process {
 /// keys that would make another powder of it.
 bool merge_powder_file(toml::table& document, const std::filesystem::path& scene_file);
 
+/// Makes a relative `spheres_file` of the document's [powder], which is one beside `file`, absolute: the
+/// table is to stand in a file elsewhere.
+void make_spheres_file_absolute(toml::table& document, const std::filesystem::path& file);
+
 /// What a calibrated powder's parameters belong to: they are worth less with other walls or stiffness.
 struct FittedWith {
   double grain_diameter = 0;   ///< m

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "process/machine/actions/powder_inflow.h"
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
+#include "process/results/formatted.h"
 #include "process/scene/setting.h"
 #include "process/setup/impact_speed.h"
 #include "process/setup/pour.h"
@@ -19,13 +19,6 @@
 namespace diefill::process {
 
 namespace {
-
-template <class... Values>
-std::string line(const char* format, Values... values) {
-  char text[400];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
 
 std::string place(const Scene& scene) {
   return scene.file.string() + ": ";
@@ -58,22 +51,25 @@ void refuse_steps(const Scene& scene, double seconds, double time_step, double s
       "powder.reduced_modulus), larger grains or shorter steps";
   if (!(steps <= kMaxSteps))
     throw SceneError(place(scene) +
-                     line("%.3g s of simulated time in time steps of %.3g s are %.3g steps, ",
-                          at_most(scene, seconds), time_step, steps) +
-                     line("allowed: at most %.3g, because the run would never end", kMaxSteps) + advice);
-  throw SceneError(place(scene) +
-                   line("%.3g spheres over %.3g time steps of %.3g s are %.3g sphere-steps, ", spheres, steps,
-                        time_step, steps * spheres) +
-                   line("allowed: at most %.3g, because the run would never end", kMaxSphereSteps) + advice);
+                     results::formatted("%.3g s of simulated time in time steps of %.3g s are %.3g steps, ",
+                                        at_most(scene, seconds), time_step, steps) +
+                     results::formatted("allowed: at most %.3g, because the run would never end", kMaxSteps) +
+                     advice);
+  throw SceneError(
+      place(scene) +
+      results::formatted("%.3g spheres over %.3g time steps of %.3g s are %.3g sphere-steps, ", spheres,
+                         steps, time_step, steps * spheres) +
+      results::formatted("allowed: at most %.3g, because the run would never end", kMaxSphereSteps) + advice);
 }
 
 /// Whatever max_time says: nobody can tell where tools are after such times.
 void refuse_endless_motion(const Scene& scene, double seconds) {
   constexpr double kLongest = 1e8;  // s
   if (seconds <= kLongest) return;
-  throw SceneError(place(scene) + line("the steps take %.3g s of simulated time, allowed: at most %.3g s; "
-                                       "check whether a velocity, an acceleration or a ramp is too small",
-                                       seconds, kLongest));
+  throw SceneError(place(scene) +
+                   results::formatted("the steps take %.3g s of simulated time, allowed: at most %.3g s; "
+                                      "check whether a velocity, an acceleration or a ramp is too small",
+                                      seconds, kLongest));
 }
 
 /// Bytes of what measure.snapshot_interval keeps.
@@ -87,9 +83,10 @@ void refuse_snapshots(const Scene& scene, double seconds) {
     if (!snapshot.every || at_most(scene, seconds) / *snapshot.every <= kMaxSnapshots) continue;
     throw SceneError(
         place(scene) + "snapshot \"" + snapshot.name + "\": " +
-        line("every %.3g s of %.3g s makes %.3g folders of results, allowed: at most %.3g; increase every",
-             *snapshot.every, at_most(scene, seconds), at_most(scene, seconds) / *snapshot.every,
-             kMaxSnapshots));
+        results::formatted(
+            "every %.3g s of %.3g s makes %.3g folders of results, allowed: at most %.3g; increase every",
+            *snapshot.every, at_most(scene, seconds), at_most(scene, seconds) / *snapshot.every,
+            kMaxSnapshots));
   }
 }
 
@@ -98,8 +95,8 @@ std::string larger_grains(const Scene& scene, double spheres) {
   constexpr double kRoundedUp = 1.05;
   const double base = plan::predicted_memory(0, 0), room = std::max(0.1 * base, machine_memory() - base);
   const double factor = std::cbrt((plan::predicted_memory(spheres, 0) - base) / room);
-  return line("use grains of %.2g mm or more (powder.grain_diameter)",
-              kRoundedUp * factor * 1e3 * scene.powder.grain_diameter) +
+  return results::formatted("use grains of %.2g mm or more (powder.grain_diameter)",
+                            kRoundedUp * factor * 1e3 * scene.powder.grain_diameter) +
          ", pour less, or run on a machine with more memory";
 }
 
@@ -111,8 +108,8 @@ void refuse_memory(const std::string& what, double spheres, double wall_spheres,
   const double there = machine_memory();
   if (bytes <= there) return;
   throw SceneError(what +
-                   line(" would need about %.3g GB of memory, but only %.3g GB are available; ", 1e-9 * bytes,
-                        1e-9 * there) +
+                   results::formatted(" would need about %.3g GB of memory, but only %.3g GB are available; ",
+                                      1e-9 * bytes, 1e-9 * there) +
                    advice);
 }
 
@@ -124,8 +121,8 @@ void refuse_excessive_work(const Scene& scene) {
   double longest = kSettlingGuess;
   for (const auto& step : scene.steps)
     if (!step->needs_cavity()) longest = std::max(longest, step->duration().value_or(0));
-  refuse_memory(place(scene) + line("%.3g grains of %.4g mm (%.3g spheres)", grains,
-                                    1e3 * scene.powder.grain_diameter, spheres),
+  refuse_memory(place(scene) + results::formatted("%.3g grains of %.4g mm (%.3g spheres)", grains,
+                                                  1e3 * scene.powder.grain_diameter, spheres),
                 spheres, 0, 0, larger_grains(scene, spheres));
   refuse_steps(scene, longest, settings.time_step, spheres);
   refuse_snapshots(scene, longest);
@@ -145,9 +142,10 @@ void refuse_excessive_schedule(const Scene& scene, const Tooling& tooling) {
   refuse_steps(scene, end, engine_settings(scene, predicted_impact_speed(scene, tooling)).time_step, spheres);
   refuse_snapshots(scene, end);
   if (scene.measure.snapshot_interval > 0)
-    refuse_memory(place(scene) + line("%.3g instants of %.3g grains (measure.snapshot_interval)",
-                                      at_most(scene, end) / scene.measure.snapshot_interval, grains),
-                  spheres, 0, kept_bytes(scene, end, grains), "keep fewer instants");
+    refuse_memory(
+        place(scene) + results::formatted("%.3g instants of %.3g grains (measure.snapshot_interval)",
+                                          at_most(scene, end) / scene.measure.snapshot_interval, grains),
+        spheres, 0, kept_bytes(scene, end, grains), "keep fewer instants");
 }
 
 }  // namespace diefill::process

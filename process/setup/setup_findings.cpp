@@ -7,6 +7,7 @@
 #include "process/machine/free_motion.h"
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
+#include "process/scene/powder_file.h"
 #include "process/tooling/plan_view.h"
 #include "process/tooling/stages.h"
 #include "process/tooling/tool_paths.h"
@@ -149,6 +150,8 @@ std::vector<SetupFinding> setup_findings(const Scene& scene, const Tooling& tool
   find_forced_collisions(scene, tooling, findings);
   for (auto& finding : measure_findings(scene, tooling)) findings.push_back(std::move(finding));
   for (auto& finding : suction_findings(scene)) findings.push_back(std::move(finding));
+  if (std::string other = fitted_with_warning(scene); !other.empty())
+    findings.push_back({std::move(other), {}});
   return findings;
 }
 

@@ -1,5 +1,6 @@
 // Set-ups that can be computed but are probably mistakes: powder beside the shoe, a shoe above the die,
-// narrower than the cavity or never over it, a punch beside the die, too little powder, a zone beside all.
+// narrower than the cavity or never over it, a punch beside the die, too little powder, a zone beside all,
+// walls or stiffness other than those that the powder was fitted with.
 #pragma once
 
 #include <string>

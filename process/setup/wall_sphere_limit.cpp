@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
+#include "process/results/formatted.h"
 #include "process/tooling/machine_memory.h"
 #include "process/tooling/predicted_memory.h"
 #include "process/tooling/tool_fit.h"
@@ -13,13 +13,6 @@
 namespace diefill::process {
 
 namespace {
-
-template <class... Values>
-std::string line(const char* format, Values... values) {
-  char text[400];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
 
 /// m^2 of the mesh, and points spread over it by area, each with the outward normal there.
 class SpreadPoints {
@@ -99,10 +92,11 @@ void refuse_too_many_wall_spheres(
     if (all <= most) continue;
     constexpr double kRoundedUp = 1.1;
     throw SceneError(tool_text(scene, tool.spec) +
-                     line(": covering the reachable surface needs about %.3g wall spheres of radius %.4g mm, "
-                          "allowed here: at most %.3g; use a radius of %.2g mm or more (walls.sphere_radius "
-                          "or the tool's), or a wider spacing",
-                          all, 1e3 * radius, most, kRoundedUp * 1e3 * radius * std::sqrt(all / most)));
+                     results::formatted(
+                         ": covering the reachable surface needs about %.3g wall spheres of radius %.4g mm, "
+                         "allowed here: at most %.3g; use a radius of %.2g mm or more (walls.sphere_radius "
+                         "or the tool's), or a wider spacing",
+                         all, 1e3 * radius, most, kRoundedUp * 1e3 * radius * std::sqrt(all / most)));
   }
 }
 

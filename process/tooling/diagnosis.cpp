@@ -1,11 +1,11 @@
 #include "process/tooling/diagnosis.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
 
 #include "geometry/grids/all_cores.h"
 #include "geometry/grids/point_grid.h"
+#include "process/results/formatted.h"
 #include "process/tooling/tool_fit.h"
 
 namespace diefill::process {
@@ -19,16 +19,11 @@ constexpr double kSymmetryOverRadius = 0.2;
 constexpr double kNothing = 1e-6;  // m, what rounding in CAD files makes of zero
 
 std::string near(const Eigen::Vector3d& place) {
-  char text[90];
-  std::snprintf(text, sizeof text, " near (%.2f, %.2f, %.2f) mm", 1e3 * place[0], 1e3 * place[1],
-                1e3 * place[2]);
-  return text;
+  return results::formatted(" near (%.2f, %.2f, %.2f) mm", 1e3 * place[0], 1e3 * place[1], 1e3 * place[2]);
 }
 
 std::string millimetres(double length) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3g mm", 1e3 * length);
-  return text;
+  return results::formatted("%.3g mm", 1e3 * length);
 }
 
 /// The parts of a tool's surface that powder can touch: they are covered with wall spheres.

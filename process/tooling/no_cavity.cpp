@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "process/results/formatted.h"
 #include "process/tooling/tool_fit.h"
 #include "process/tooling/tool_scale.h"
 
@@ -43,9 +44,7 @@ bool encloses(const std::vector<geometry::Mesh>& meshes, double fill_plane) {
 }
 
 std::string range(const char* axis, double from, double to) {
-  char text[80];
-  std::snprintf(text, sizeof text, "%s = %.4g to %.4g mm", axis, 1e3 * from, 1e3 * to);
-  return text;
+  return results::formatted("%s = %.4g to %.4g mm", axis, 1e3 * from, 1e3 * to);
 }
 
 std::string in_z(const geometry::Box& box) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "process/results/formatted.h"
 #include "process/results/studies/quantiles.h"
 
 namespace diefill::process {
@@ -91,18 +91,14 @@ void set_errors(const Tradeoff& tradeoff, TradeoffPoint& point) {
 }
 
 std::string percent(double share) {
-  char text[32];
-  std::snprintf(text, sizeof text, share < 0.1 ? "%.1f %%" : "%.0f %%", 100 * share);
-  return text;
+  return results::formatted(share < 0.1 ? "%.1f %%" : "%.0f %%", 100 * share);
 }
 
 /// How much less a setting costs than the reference.
 std::string saving(double cost, double reference) {
   const double factor = reference / cost;
   if (factor < 1.2) return percent(1 - cost / reference) + " cheaper";
-  char text[32];
-  std::snprintf(text, sizeof text, factor < 10 ? "%.1f times cheaper" : "%.0f times cheaper", factor);
-  return text;
+  return results::formatted(factor < 10 ? "%.1f times cheaper" : "%.0f times cheaper", factor);
 }
 
 /// What a quantity's error is within, as text.

@@ -18,85 +18,81 @@ constexpr double kMargin = 36;
 constexpr double kRightMargin = 64;  // half a tick label reaches beyond the data rectangle
 constexpr int kXTicks = 9, kYTicks = 8;
 
-std::vector<double> x_values(const Chart& chart) {
-  std::vector<double> values;
+/// What is drawn along one axis.
+struct Coordinates {
+  std::vector<double> lines;  ///< also bars and bands
+  std::vector<double> marks;  ///< with their error bars
+};
+
+Coordinates coordinates_along_x(const Chart& chart) {
+  Coordinates drawn;
   for (const auto& curve : chart.curves) {
-    values.insert(values.end(), curve.x.begin(), curve.x.end());
-    if (curve.style != CurveStyle::kBars || curve.x.size() < 2) continue;
-    values.push_back(curve.x.front() - 0.5 * (curve.x[1] - curve.x[0]));
-    values.push_back(curve.x.back() + 0.5 * (curve.x.back() - curve.x[curve.x.size() - 2]));
+    const auto& x = curve.x;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      (has_marks(curve.style) && std::isfinite(curve.y[k]) ? drawn.marks : drawn.lines).push_back(x[k]);
+    if (curve.style != CurveStyle::kBars || x.size() < 2) continue;
+    drawn.lines.push_back(x.front() - 0.5 * (x[1] - x[0]));
+    drawn.lines.push_back(x.back() + 0.5 * (x.back() - x[x.size() - 2]));
   }
-  return values;
+  return drawn;
 }
 
-void add_air(std::vector<double>& values) {
-  double lowest = INFINITY, highest = -INFINITY;
+Coordinates coordinates_along_y(const Chart& chart) {
+  Coordinates drawn;
+  const auto add = [](std::vector<double>& values, const Curve& curve, const std::vector<double>& half) {
+    for (std::size_t k = 0; k < half.size(); ++k)
+      values.insert(values.end(), {curve.y[k] - half[k], curve.y[k] + half[k]});
+  };
+  for (const auto& curve : chart.curves) {
+    auto& own = has_marks(curve.style) ? drawn.marks : drawn.lines;
+    own.insert(own.end(), curve.y.begin(), curve.y.end());
+    add(own, curve, curve.y_error);
+    add(drawn.lines, curve, curve.band);
+  }
+  return drawn;
+}
+
+/// From the least to the greatest of the values that an axis can show; the other way round where there is
+/// none.
+Interval extent_of(const std::vector<double>& values, bool logarithmic) {
+  Interval extent{INFINITY, -INFINITY};
   for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    lowest = std::min(lowest, value);
-    highest = std::max(highest, value);
+    if (!std::isfinite(value) || (logarithmic && value <= 0)) continue;
+    extent.lower = std::min(extent.lower, value);
+    extent.upper = std::max(extent.upper, value);
   }
-  const double air = 0.02 * (highest - lowest);
-  // Zero stays a limit: a mass or a count does not go below it.
-  if (lowest != 0) values.push_back(lowest > 0 ? std::max(0.0, lowest - air) : lowest - air);
-  if (highest != 0) values.push_back(highest < 0 ? std::min(0.0, highest + air) : highest + air);
+  return extent;
 }
 
-// All heights, error bars included, and a little air on linear axes: a curve shall not run along the frame.
-std::vector<double> y_values(const Chart& chart) {
-  std::vector<double> values;
-  for (const auto& curve : chart.curves) {
-    values.insert(values.end(), curve.y.begin(), curve.y.end());
-    for (std::size_t k = 0; k < curve.y_error.size(); ++k) {
-      values.push_back(curve.y[k] - curve.y_error[k]);
-      values.push_back(curve.y[k] + curve.y_error[k]);
-    }
-  }
-  for (const auto& curve : chart.curves)
-    for (std::size_t k = 0; k < curve.band.size(); ++k) {
-      values.push_back(curve.y[k] - curve.band[k]);
-      values.push_back(curve.y[k] + curve.band[k]);
-    }
-  if (!chart.y.logarithmic) add_air(values);
-  return values;
-}
-
-/// Coordinates of the curves that are drawn with marks, along x, or along y with their error bars.
-std::vector<double> marked_values(const Chart& chart, bool along_x) {
-  std::vector<double> values;
-  for (const auto& curve : chart.curves) {
-    if (curve.style != CurveStyle::kMarkers && curve.style != CurveStyle::kLineAndMarkers) continue;
-    for (std::size_t k = 0; k < curve.x.size(); ++k) {
-      if (!std::isfinite(curve.x[k]) || !std::isfinite(curve.y[k])) continue;
-      const double value = along_x ? curve.x[k] : curve.y[k];
-      values.push_back(value);
-      if (along_x || curve.y_error.empty() || !std::isfinite(curve.y_error[k])) continue;
-      values.push_back(value - curve.y_error[k]);
-      values.push_back(value + curve.y_error[k]);
-    }
-  }
-  return values;
-}
-
-/// `range` with a margin beyond what is marked, so that no mark lies on the frame; a limit that was given
-/// stays, and so does zero where nothing is beyond it.
-Interval with_margin(const Interval& range, const ChartAxis& axis, const std::vector<double>& marked) {
-  constexpr double kBeyond = 0.05;  // of the axis
-  const auto place = [&](double value) { return axis.logarithmic ? std::log10(value) : value; };
-  const auto value = [&](double at) { return axis.logarithmic ? std::pow(10, at) : at; };
-  const double margin = kBeyond * (place(range.upper) - place(range.lower));
+/// `range` with a share of itself free beyond what it is to hold. Zero stays a limit where nothing lies
+/// beyond it: a mass or a count does not go below it.
+Interval widened(const Interval& range, const Interval& held, double share, bool logarithmic) {
+  const auto place = [&](double value) { return logarithmic ? std::log10(value) : value; };
+  const auto value = [&](double at) { return logarithmic ? std::pow(10, at) : at; };
+  const double room = share * (place(range.upper) - place(range.lower));
   Interval wide = range;
-  for (const double each : marked) {
-    if (axis.logarithmic && each <= 0) continue;
-    if (std::isnan(axis.lower) && range.lower != 0)
-      wide.lower = std::min(wide.lower, value(place(each) - margin));
-    if (std::isnan(axis.upper) && range.upper != 0)
-      wide.upper = std::max(wide.upper, value(place(each) + margin));
-  }
-  if (axis.logarithmic) return wide;
+  if (held.lower > held.upper) return wide;
+  if (range.lower != 0) wide.lower = std::min(wide.lower, value(place(held.lower) - room));
+  if (range.upper != 0) wide.upper = std::max(wide.upper, value(place(held.upper) + room));
+  if (logarithmic) return wide;
   if (range.lower > 0) wide.lower = std::max(0.0, wide.lower);
   if (range.upper < 0) wide.upper = std::min(0.0, wide.upper);
   return wide;
+}
+
+/// The range of an axis over what is drawn along it. Marks keep a twentieth of the axis free, so that none
+/// lies on the frame. `beyond_lines`: of what lines span, for which the round number at the end of the axis
+/// is chosen. Limits that are given stay.
+Interval range_over(const ChartAxis& axis, const Coordinates& drawn, double beyond_lines, bool from_zero) {
+  constexpr double kBeyondMarks = 0.05;
+  const Interval lines = extent_of(drawn.lines, axis.logarithmic),
+                 marks = extent_of(drawn.marks, axis.logarithmic),
+                 wide_lines = widened(lines, lines, beyond_lines, axis.logarithmic);
+  const Interval rounded =
+      axis_range(axis, {wide_lines.lower, wide_lines.upper, marks.lower, marks.upper}, from_zero);
+  const Interval range = widened(rounded, marks, kBeyondMarks, axis.logarithmic);
+  return {std::isnan(axis.lower) ? range.lower : axis.lower,
+          std::isnan(axis.upper) ? range.upper : axis.upper};
 }
 
 Axis make_axis(const ChartAxis& wanted, const Interval& range, int most_ticks) {
@@ -123,12 +119,7 @@ Interval linear_range(double lowest, double highest, bool from_zero) {
 }  // namespace
 
 Interval axis_range(const ChartAxis& axis, const std::vector<double>& values, bool from_zero) {
-  double lowest = INFINITY, highest = -INFINITY;
-  for (const double value : values) {
-    if (!std::isfinite(value) || (axis.logarithmic && value <= 0)) continue;
-    lowest = std::min(lowest, value);
-    highest = std::max(highest, value);
-  }
+  const auto [lowest, highest] = extent_of(values, axis.logarithmic);
   Interval range = axis.logarithmic ? Interval{1, 10} : Interval{0, 1};
   if (lowest <= highest) {
     range = axis.logarithmic ? Interval{std::pow(10.0, std::floor(std::log10(lowest) + 1e-9)),
@@ -171,10 +162,12 @@ ChartLayout lay_out(const Chart& chart) {
   const bool has_bars = std::any_of(chart.curves.begin(), chart.curves.end(),
                                     [](const Curve& curve) { return curve.style == CurveStyle::kBars; });
   ChartLayout layout{{}, Heading(chart.title, chart.subtitle, kWidth - 2 * kMargin)};
-  const Interval x = axis_range(chart.x, x_values(chart), false);
-  const Interval y = axis_range(chart.y, y_values(chart), has_bars);
-  layout.plot.x = make_axis(chart.x, with_margin(x, chart.x, marked_values(chart, true)), kXTicks);
-  layout.plot.y = make_axis(chart.y, with_margin(y, chart.y, marked_values(chart, false)), kYTicks);
+  constexpr double kBeyondLines = 0.02;  // a curve shall not run along the frame
+  const Interval x = range_over(chart.x, coordinates_along_x(chart), 0, false);
+  const Interval y =
+      range_over(chart.y, coordinates_along_y(chart), chart.y.logarithmic ? 0 : kBeyondLines, has_bars);
+  layout.plot.x = make_axis(chart.x, x, kXTicks);
+  layout.plot.y = make_axis(chart.y, y, kYTicks);
   const double left = kMargin + left_margin(layout.plot.y), right = kWidth - kRightMargin;
   layout.legend_left = left;
   layout.legend_width = right - left;

@@ -14,10 +14,12 @@ enum class CurveStyle {
   kLine,            ///< straight lines from point to point; NaN leaves a gap
   kMarkers,         ///< points only
   kLineAndMarkers,  ///< both
-  kBars             ///< histogram bars from zero, centred on x, as wide as the spacing of x
+  kBars,            ///< histogram bars from zero, centred on x, as wide as the spacing of x
+  kReference        ///< no data, but what data are compared with: grey and broken, a level dash at each point
 };
 
-/// One curve. Curves are told apart by colour, dashes and marker, so that they also read in grey print.
+/// One curve. Curves of data are told apart by colour, dashes and marker, so that they also read in grey
+/// print.
 struct Curve {
   std::string name;          ///< in the legend; empty: not in the legend
   std::vector<double> x, y;  ///< equal lengths, in the axes' units; NaN where there is no value

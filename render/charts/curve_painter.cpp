@@ -17,24 +17,35 @@ constexpr double kLegendRow = 42;
 
 // How a curve looks: colours go through all curves; dashes only through those with lines, so that a model's
 // line among measured points is solid; with five marker shapes to eight colours no look repeats within forty
-// curves.
+// curves. References are grey, thinner, never solid, and take no look from the data.
 struct Look {
   QColor colour;
   Qt::PenStyle dash;
   std::size_t shape;
+  double width = kLineWidth;
 };
+
+Look reference_look(std::size_t references_before) {
+  static constexpr std::array<Qt::PenStyle, 3> kDashes{Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
+  constexpr int kGrey = 90;
+  return {QColor(kGrey, kGrey, kGrey), kDashes[references_before % kDashes.size()], 0, 0.75 * kLineWidth};
+}
 
 Look look_of(const std::vector<Curve>& curves, std::size_t index) {
   static constexpr std::array<Qt::PenStyle, 4> kDashes{Qt::SolidLine, Qt::DashLine, Qt::DashDotLine,
                                                        Qt::DotLine};
-  std::size_t lines_before = 0;
-  for (std::size_t k = 0; k < index; ++k)
+  std::size_t lines_before = 0, references_before = 0;
+  for (std::size_t k = 0; k < index; ++k) {
     lines_before += curves[k].style == CurveStyle::kLine || curves[k].style == CurveStyle::kLineAndMarkers;
-  return {curve_colour(index), kDashes[(lines_before + lines_before / 8) % kDashes.size()], index % 5};
+    references_before += curves[k].style == CurveStyle::kReference;
+  }
+  if (curves[index].style == CurveStyle::kReference) return reference_look(references_before);
+  const std::size_t place = index - references_before;
+  return {curve_colour(place), kDashes[(lines_before + lines_before / 8) % kDashes.size()], place % 5};
 }
 
 QPen curve_pen(const Look& look) {
-  QPen pen(look.colour, kLineWidth, look.dash);
+  QPen pen(look.colour, look.width, look.dash);
   pen.setJoinStyle(Qt::RoundJoin);
   pen.setCapStyle(Qt::FlatCap);
   return pen;
@@ -62,6 +73,17 @@ void draw_marker(QPainter& painter, const QPointF& at, const Look& look) {
   } else {
     painter.drawPolygon(marker_outline(look.shape).translated(at));
   }
+}
+
+// A short level piece of a reference's line, which also shows points that no line joins; white keeps it apart
+// from the marks that it lies on.
+void draw_level_dash(QPainter& painter, const QPointF& at, const Look& look) {
+  constexpr double kHalfLength = 20;
+  const QPointF half(kHalfLength, 0);
+  painter.setPen(QPen(Qt::white, 2.5 * look.width, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(at - half, at + half);
+  painter.setPen(curve_pen(look));
+  painter.drawLine(at - half, at + half);
 }
 
 bool is_drawable(const QPointF& point) {
@@ -158,7 +180,7 @@ void draw_sample(QPainter& painter, const Curve& curve, const Look& look, double
     painter.setPen(curve_pen(look));
     painter.drawLine(QPointF(left, middle), QPointF(left + kSampleLength, middle));
   }
-  if (curve.style != CurveStyle::kLine) draw_marker(painter, {left + 0.5 * kSampleLength, middle}, look);
+  if (has_marks(curve.style)) draw_marker(painter, {left + 0.5 * kSampleLength, middle}, look);
 }
 
 }  // namespace
@@ -168,6 +190,10 @@ QColor curve_colour(std::size_t index) {
       QColor(0, 114, 178), QColor(213, 94, 0),   QColor(0, 158, 115), QColor(204, 121, 167),
       QColor(0, 0, 0),     QColor(86, 180, 233), QColor(230, 159, 0), QColor(130, 130, 130)};
   return kColours[index % kColours.size()];
+}
+
+bool has_marks(CurveStyle style) {
+  return style == CurveStyle::kMarkers || style == CurveStyle::kLineAndMarkers;
 }
 
 void draw_curve(QPainter& painter, const PlotArea& area, const std::vector<Curve>& curves,
@@ -181,10 +207,15 @@ void draw_curve(QPainter& painter, const PlotArea& area, const std::vector<Curve
     draw_line(painter, area, curve, look);
   }
   draw_error_bars(painter, area, curve, look);
-  if (curve.style != CurveStyle::kMarkers && curve.style != CurveStyle::kLineAndMarkers) return;
+  const bool is_reference = curve.style == CurveStyle::kReference;
+  if (!has_marks(curve.style) && !is_reference) return;
   for (std::size_t k = 0; k < curve.x.size(); ++k) {
     const QPointF point = area.pixel(curve.x[k], curve.y[k]);
-    if (is_drawable(point)) draw_marker(painter, point, look);
+    if (!is_drawable(point)) continue;
+    if (is_reference)
+      draw_level_dash(painter, point, look);
+    else
+      draw_marker(painter, point, look);
   }
 }
 

@@ -8,8 +8,11 @@
 
 namespace diefill::render {
 
-/// Colour of the k-th curve: Okabe and Ito's eight, which the colour-blind tell apart too.
+/// Colour of the k-th curve of data: Okabe and Ito's eight, which the colour-blind tell apart too.
 QColor curve_colour(std::size_t index);
+
+/// Whether points are marked.
+bool has_marks(CurveStyle style);
 
 /// Draws the k-th of `curves` inside the data rectangle.
 void draw_curve(QPainter& painter, const PlotArea& area, const std::vector<Curve>& curves, std::size_t index);

@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "process/results/formatted.h"
 #include "render/fields/field_sampler.h"
 #include "render/fields/tool_outline.h"
 
@@ -27,9 +27,7 @@ bool lies_in(const results::CavityState& cavity, const Eigen::Vector3d& point) {
 }
 
 std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", std::abs(value) < 5e-7 ? 0.0 : value);
-  return text;
+  return results::formatted("%.4g", std::abs(value) < 5e-7 ? 0.0 : value);
 }
 
 /// Outlines of the tools seen from above, at this share of the cavity's height.

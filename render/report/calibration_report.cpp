@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "process/results/rounding.h"
+#include "render/report/calibration_data_section.h"
 #include "render/report/numbers.h"
 #include "render/report/pictures_of.h"
 
@@ -29,10 +30,15 @@ Table parameter_table(const results::Calibration& calibration) {
   return table;
 }
 
+void add_remarks(Section& section, const results::Calibration& calibration) {
+  for (const auto& remark : calibration.remarks) section.blocks.emplace_back(Paragraph{remark + '.', true});
+}
+
 Section answer_section(const results::Calibration& calibration) {
   Section section{"The powder", 1, {}};
   if (!calibration.fitted) {
     section.blocks.emplace_back(Paragraph{"No powder was fitted: " + calibration.stopped + '.', true});
+    add_remarks(section, calibration);
     return section;
   }
   section.blocks.emplace_back(parameter_table(calibration));
@@ -44,91 +50,12 @@ Section answer_section(const results::Calibration& calibration) {
       !calibration.agrees});
   for (const auto& sentence : calibration.insights)
     section.blocks.emplace_back(Paragraph{sentence + '.', false});
-  for (const auto& remark : calibration.remarks) section.blocks.emplace_back(Paragraph{remark + '.', true});
+  add_remarks(section, calibration);
   section.blocks.emplace_back(
       Paragraph{"Fitted with " + calibration.grains +
                     ". The parameters belong to these: with other wall spheres or another "
                     "stiffness, calibrate again.",
                 false});
-  return section;
-}
-
-/// Measured values with their deviations, simulated ones with the region's range.
-Figure curve_picture(const results::CalibratedMeasurement& measurement) {
-  Chart chart;
-  chart.title = measurement.name;
-  chart.subtitle = measurement.fitted ? "fitted" : "kept for checking";
-  chart.x.label = axis_text(measurement.x_name, measurement.x_unit);
-  chart.y.label = axis_text(measurement.quantity, measurement.unit);
-  Curve measured{"measured", {}, {}, CurveStyle::kMarkers, {}},
-      best{"simulated, best powder", {}, {}, CurveStyle::kLineAndMarkers, {}};
-  Curve lower{"simulated, 90 % of powders that agree", {}, {}, CurveStyle::kLine, {}};
-  for (const auto& datum : measurement.data) {
-    for (Curve* curve : {&measured, &best, &lower}) curve->x.push_back(datum.x);
-    measured.y.push_back(datum.measured);
-    measured.y_error.push_back(datum.deviation);
-    best.y.push_back(datum.simulated);
-    best.y_error.push_back(std::isfinite(datum.scatter) ? datum.scatter : 0);
-    lower.y.push_back(0.5 * (datum.lower + datum.upper));
-    lower.band.push_back(0.5 * (datum.upper - datum.lower));
-  }
-  chart.curves = {lower, best, measured};  // measured on top
-  chart.note =
-      "Bars: standard deviation of the measurement, and of one run over seeds; band: over powders that agree";
-  return chart_picture(chart, measurement.name + ": measured and simulated");
-}
-
-Table data_table(const results::Calibration& calibration, bool fitted) {
-  Table table{"",
-              {"Measurement", "Measured", "Simulated", "Over powders that agree", "Scatter over seeds",
-               "Difference in deviations", "With finer grains"},
-              {},
-              true};
-  for (const auto& measurement : calibration.measurements) {
-    if (measurement.fitted != fitted || measurement.data.size() > 12) continue;
-    for (const auto& datum : measurement.data) {
-      const std::string unit = results::unit_behind(measurement.unit);
-      const std::string at = std::isfinite(datum.x)
-                                 ? " at " + in_digits(datum.x, 3) + results::unit_behind(measurement.x_unit)
-                                 : "";
-      const double own = std::isfinite(datum.uncertainty) ? datum.uncertainty : 0;
-      table.rows.push_back(
-          {measurement.name + at, in_digits(datum.measured, 4) + " ± " + in_digits(datum.deviation, 2) + unit,
-           in_digits(datum.simulated, 4) + unit,
-           in_digits(datum.lower, 4) + " to " + in_digits(datum.upper, 4) + unit,
-           in_digits(datum.scatter, 2) + unit,
-           in_digits((datum.simulated - datum.measured) / std::hypot(datum.deviation, own), 2),
-           std::isfinite(datum.finer) ? in_digits(datum.finer, 4) + unit : "–"});
-    }
-  }
-  leave_out_empty_columns(table);
-  return table;
-}
-
-Section data_section(const results::Calibration& calibration, bool fitted) {
-  Section section{fitted ? "Measured and simulated" : "Check on what was not fitted", 1, {}};
-  if (const Table table = data_table(calibration, fitted); !table.rows.empty())
-    section.blocks.emplace_back(table);
-  if (!calibration.finer_grains.empty() && fitted)
-    section.blocks.emplace_back(
-        Paragraph{"Finer grains: d = " + calibration.finer_grains + ", at the best parameters.", false});
-  Figures figures;
-  for (const auto& measurement : calibration.measurements) {
-    if (measurement.fitted != fitted) continue;
-    if (!measurement.remark.empty())
-      section.blocks.emplace_back(Paragraph{measurement.name + ": " + measurement.remark + '.', true});
-    const std::string residual = std::isfinite(measurement.residual)
-                                     ? "; mean square perpendicular distance from the measured curve " +
-                                           in_digits(measurement.residual, 2) + " (Bierwisch 2009, Eq. 4.3)"
-                                     : "";
-    section.blocks.emplace_back(
-        Paragraph{measurement.name + ": chi^2 " + in_digits(measurement.chi_square, 3) + " of " +
-                      std::to_string(measurement.data.size()) + " values" + residual + '.',
-                  false});
-    if (!measurement.x_name.empty() && measurement.second_name.empty() && measurement.data.size() > 1)
-      figures.figures.push_back(curve_picture(measurement));
-  }
-  if (!figures.figures.empty()) section.blocks.emplace_back(std::move(figures));
   return section;
 }
 
@@ -209,7 +136,8 @@ Section region_section(const results::Calibration& calibration) {
   return section;
 }
 
-Section screening_section(const results::Screening& screening) {
+Section screening_section(const results::Calibration& calibration) {
+  const results::Screening& screening = calibration.screening;
   Section section{"Effects", 1, {}};
   std::string words =
       std::to_string(screening.runs) + " runs, " +
@@ -218,6 +146,7 @@ Section screening_section(const results::Screening& screening) {
       ". An effect is the mean at the high level less the mean at the low level; standard errors come from " +
       screening.error_source + '.';
   section.blocks.emplace_back(Paragraph{words, false});
+  add_remarks(section, calibration);
   Listing letters;
   for (const auto& line : screening.letters) letters.text += line + '\n';
   for (const auto& line : screening.generators) letters.text += line + '\n';
@@ -282,7 +211,7 @@ Figure effects_picture(const results::Screening& screening, std::size_t quantity
   chart.subtitle = "with 95 % margins";
   chart.x.label = "Effect";
   chart.x.lower = 0;
-  chart.y.label = axis_text("Mean at high less mean at low level", about.unit);
+  chart.y.label = axis_text("Mean at high minus mean at low level", about.unit);
   double x = 0;
   for (const auto& effect : screening.effects) {
     x += 1;
@@ -307,15 +236,15 @@ Document calibration_document(const results::Calibration& calibration) {
   document.subtitle = std::string(screened ? "Screening" : "Calibration") + " by diefill " +
                       calibration.program_version + ", starting from " + calibration.powder;
   if (screened) {
-    document.sections.push_back(screening_section(calibration.screening));
+    document.sections.push_back(screening_section(calibration));
   } else {
     document.sections.push_back(answer_section(calibration));
     if (calibration.fitted) {
-      document.sections.push_back(data_section(calibration, true));
+      document.sections.push_back(measured_and_simulated(calibration, true));
       document.sections.push_back(region_section(calibration));
       const auto& all = calibration.measurements;
       if (std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.fitted; }))
-        document.sections.push_back(data_section(calibration, false));
+        document.sections.push_back(measured_and_simulated(calibration, false));
     }
   }
   document.sections.push_back(points_section(calibration));

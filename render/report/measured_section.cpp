@@ -56,7 +56,7 @@ std::vector<MeasuredPicture> profile_pictures(const MeasuredComparison& comparis
       {"measured", comparison.first, comparison.measured, CurveStyle::kMarkers, known_deviations(comparison)},
       {"simulated", comparison.first, comparison.simulated, CurveStyle::kLine, {}}};
   Chart difference = chart_over_first(comparison);
-  difference.title = "Simulated less measured " + what;
+  difference.title = "Simulated minus measured " + what;
   difference.y.label = "Difference" + (comparison.unit == "1" ? "" : " [" + comparison.unit + "]");
   const auto [least, most] = std::minmax_element(comparison.first.begin(), comparison.first.end());
   difference.curves = {{"", comparison.first, differences(comparison), CurveStyle::kLineAndMarkers,

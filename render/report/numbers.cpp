@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "process/results/figure_table.h"
+#include "process/results/formatted.h"
 #include "process/results/rounding.h"
 
 namespace diefill::render::report {
@@ -20,9 +21,7 @@ std::string in_digits(double value, int digits) {
   // Whole numbers keep all their digits, or 87,041 spheres would become 87040.
   if (value != std::round(value) || std::abs(value) >= 1e12)
     return results::in_significant_digits(value, digits);
-  char text[64];
-  std::snprintf(text, sizeof text, "%.0f", value);
-  return text;
+  return results::formatted("%.0f", value);
 }
 
 std::string with_unit(double value, const std::string& unit, int digits) {

@@ -13,7 +13,7 @@ namespace {
 Figure dots(const results::SpreadFigure& figure) {
   Chart chart;
   chart.title = figure.name;
-  chart.subtitle = "one dot a run";
+  chart.subtitle = "one point per run";
   chart.y.label = with_unit_of("Value", figure.unit);
   chart.x.label = "Run";
   chart.x.lower = 0;
@@ -34,14 +34,17 @@ Figure dots(const results::SpreadFigure& figure) {
 }
 
 Table figures_table(const results::PowderSpread& spread) {
-  Table table{"Standard deviations; by the powder: what its uncertainty adds to the scatter over seeds",
-              {"Figure", "Mean over powders", "By the powder", "Over seeds", "Best powder"},
-              {},
-              true};
+  Table table{
+      "Standard deviations; by the powder: what its uncertainty adds to the scatter over seeds, where "
+      "that is more than chance (10 %)",
+      {"Figure", "Mean over powders", "By the powder", "Over seeds", "Best powder"},
+      {},
+      true};
   for (const auto& figure : spread.figures)
-    table.rows.push_back({with_unit_of(figure.name, figure.unit), in_digits(figure.mean, 4),
-                          in_digits(figure.powder, 2), in_digits(figure.scatter, 2),
-                          in_digits(figure.best, 4)});
+    table.rows.push_back(
+        {with_unit_of(figure.name, figure.unit), in_digits(figure.mean, 4),
+         std::isfinite(figure.powder) && !figure.told_apart ? "not told apart" : in_digits(figure.powder, 2),
+         in_digits(figure.scatter, 2), in_digits(figure.best, 4)});
   return table;
 }
 

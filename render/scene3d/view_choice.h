@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "process/results/fill_result.h"
 
@@ -33,6 +34,11 @@ struct Camera {
 /// Cuts through the cavity's axis (or the middle of its box, or of the powder), and frames all cavities, the
 /// powder over them and a shoe that stands near; `aspect` is the picture's width over its height.
 ViewChoice choose_view(const results::FillResult& result, double aspect, const Camera& camera = {});
+
+/// One view for all instants of a run in which a shoe crosses the cavities: these fill it, with room beside
+/// and above them in which the shoe comes and goes, partly out of the picture. None where no shoe crosses.
+std::optional<ViewChoice> view_of_passage(const results::FillResult& result, double aspect,
+                                          const Camera& camera = {});
 
 /// Shows what both show, as `one` looks at it.
 ViewChoice united(const ViewChoice& one, const ViewChoice& other);

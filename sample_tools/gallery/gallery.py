@@ -5,11 +5,15 @@
     python3 sample_tools/gallery/gallery.py --only first_map  runs one
     python3 sample_tools/gallery/gallery.py --write           also keeps answers, times, pictures and the page
     python3 sample_tools/gallery/gallery.py --page            says whether the page is that of the kept answers
+
+The program is that of the build or, where there is none, the installed one; results go to out/gallery of the current
+folder.
 """
 import argparse
 import csv
 import json
 import os
+import shlex
 import shutil
 import subprocess
 import sys
@@ -33,9 +37,9 @@ def read_examples():
         return tomllib.load(file)
 
 
-def placed(text, out):
-    """A command or path with OUT put in place."""
-    return text.replace("OUT", str(out))
+def placed(command, out):
+    """A command with OUT put in place, for a shell."""
+    return command.replace("OUT", shlex.quote(str(out)))
 
 
 def run_commands(example, program, out):
@@ -46,7 +50,7 @@ def run_commands(example, program, out):
     for command in example["commands"]:
         words = placed(command, out)
         if words.startswith("diefill "):
-            words = f'"{program}"' + words[len("diefill"):]
+            words = shlex.quote(str(program)) + words[len("diefill"):]
         done = subprocess.run(words, shell=True, cwd=ROOT, capture_output=True, text=True)
         if done.returncode != 0:
             raise GalleryError(f"{command}: exit code {done.returncode}: {done.stderr.strip()[-400:]}")
@@ -79,7 +83,7 @@ def figure_value(figure, out):
     else:
         try:
             value = value_at(json.loads(file.read_text()), figure["path"])
-        except (KeyError, IndexError, TypeError) as error:
+        except (KeyError, IndexError, TypeError, json.JSONDecodeError) as error:
             raise GalleryError(f"{file}: nothing at {figure['path']}") from error
     return float(value) * figure.get("factor", 1)
 
@@ -179,10 +183,16 @@ def check_page(document):
     return 1
 
 
+def found_program():
+    """The program of the build, else the installed one."""
+    built = ROOT / "build/bin/diefill"
+    return built if built.exists() else Path(shutil.which("diefill") or built)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", type=Path, default=ROOT / "build/bin/diefill")
-    parser.add_argument("--out", type=Path, default=ROOT / "out/gallery", help="directory for the results")
+    parser.add_argument("--program", type=Path, default=found_program())
+    parser.add_argument("--out", type=Path, default=Path("out/gallery"), help="directory for the results")
     parser.add_argument("--only", nargs="*", metavar="NAME", help="examples to run")
     parser.add_argument("--write", action="store_true", help="keep answers, times, pictures and the page")
     parser.add_argument("--page", action="store_true", help="only compare the page with the kept answers")
@@ -192,7 +202,11 @@ def main():
     unknown = set(arguments.only or []) - {example["name"] for example in document["example"]}
     if unknown:
         parser.error(f"no example is named {', '.join(sorted(unknown))}")
-    return check_page(document) if arguments.page else run_all(document, arguments)
+    if arguments.page:
+        return check_page(document)
+    if not arguments.program.exists():
+        parser.error(f"{arguments.program} is missing: build it with sh app/build.sh --target diefill, or install diefill")
+    return run_all(document, arguments)
 
 
 if __name__ == "__main__":

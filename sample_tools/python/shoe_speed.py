@@ -8,7 +8,10 @@ Needs python3-diefill and matplotlib. A second call takes finished runs from the
 import sys
 from pathlib import Path
 
-import matplotlib
+try:
+    import matplotlib
+except ImportError:
+    sys.exit("shoe_speed.py: matplotlib is missing; install it with: apt install python3-matplotlib")
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt

@@ -71,6 +71,9 @@ TEST(Calibrate, UnknownExperimentsAndQuantitiesEndInOneLine) {
   refused("experiment = \"mean_fractions\"\nquantity = \"settled\"\nsize = \"corse\"",
           "did you mean \"coarse\"?");
   refused("experiment = \"clump_collision\"\nquantity = \"B01\"", "powders of its own");
+  for (const char* experiment : {"closed_forms", "hopper_design", "wire_sawing"})
+    refused("experiment = \"" + std::string(experiment) + "\"\nquantity = \"V04\"",
+            "this experiment runs no scenes");
   refused("experiment = \"angle_of_repose\"\nquantity = \"theta_O\"", "the quantity has \"deg\"");
   EXPECT_FALSE(std::filesystem::exists(die.out()));
 }

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "project_paths.h"
-#include "tests/app/small_die.h"
+#include "tests/app/commands/variants.h"
 
 namespace diefill::app {
 namespace {
@@ -85,6 +85,73 @@ TEST(Estimate, IsWhatPlanAndCheckBeginWith) {
   EXPECT_EQ(plan.out.find("Small die, one passage\nestimate without simulation: "), 0U) << plan.out;
   EXPECT_TRUE(json_of({"check", scene, "--json"}).at("estimate").contains("answer"));
   EXPECT_TRUE(json_of({"plan", scene, "--no-benchmark", "--json"}).at("estimate").contains("answer"));
+}
+
+TEST(Estimate, OfASceneWithVariantsHasALineForEach) {
+  const SmallDie die;
+  const std::string scene = die.scene().string();
+  EXPECT_FALSE(json_of({"estimate", scene, "--json"}).contains("variants"));
+  add_variants(die);
+  const auto json = json_of({"estimate", scene, "--json"});
+  const auto& variants = json.at("variants");
+  ASSERT_EQ(variants.size(), 2U);
+  EXPECT_EQ(variants[0].at("name"), "quick");
+  EXPECT_LT(variants[0].at("share_filled").get<double>(),
+            json.at("openings").at(0).at("share_filled").get<double>());
+  EXPECT_LT(variants[0].at("cycle_time_s").get<double>(), json.at("cycle_time_s").get<double>());
+  EXPECT_NEAR(variants[0].at("shoe_speed_m_per_s").get<double>(), 0.2, 0.01);
+  EXPECT_EQ(variants[1].at("answer"), "nothing to fill");
+  EXPECT_TRUE(variants[1].at("share_filled").is_null());
+  const Outcome text = run_program({"estimate", scene});
+  ASSERT_EQ(text.exit_code, 0) << text.err;
+  for (const char* part :
+       {"critical, m/s", "\nquick  ", "\nstays  ", "nothing to fill", "--variant \"quick\""})
+    EXPECT_NE(text.out.find(part), std::string::npos) << part << "\n" << text.out;
+}
+
+TEST(Estimate, TakesOneVariantByItsName) {
+  const SmallDie die;
+  const std::string scene = die.scene().string();
+  expect_refused({"estimate", scene, "--variant", "quick"}, "has no [[variant]]");
+  add_variants(die);
+  const auto line = json_of({"estimate", scene, "--json"}).at("variants").at(0);
+  const auto quick = json_of({"estimate", scene, "--variant", "quick", "--json"});
+  EXPECT_EQ(quick.at("title"), "Small die, one passage: quick");
+  EXPECT_FALSE(quick.contains("variants"));
+  EXPECT_EQ(quick.at("openings").at(0).at("share_filled"), line.at("share_filled"));
+  EXPECT_EQ(quick.at("openings").at(0).at("critical_speed_m_per_s"), line.at("critical_speed_m_per_s"));
+  expect_refused({"estimate", scene, "--variant", "quik"}, "did you mean \"quick\"?");
+}
+
+TEST(Check, SaysThatVariantsAreThereAndChecksOne) {
+  const SmallDie die;
+  const std::string scene = die.scene().string();
+  add_variants(die);
+  const Outcome all = run_program({"check", scene});
+  ASSERT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_NE(all.out.find("without its 2 [[variant]]s; check one with --variant, such as --variant \"quick\""),
+            std::string::npos)
+      << all.out;
+  EXPECT_EQ(json_of({"check", scene, "--json"}).at("unchecked_variants").size(), 2U);
+  const Outcome quick = run_program({"check", scene, "--variant", "quick"});
+  ASSERT_EQ(quick.exit_code, 0) << quick.err;
+  EXPECT_NE(quick.out.find("at 0.2 m/s"), std::string::npos) << quick.out;
+  EXPECT_EQ(quick.out.find("[[variant]]"), std::string::npos) << quick.out;
+}
+
+TEST(Estimate, SaysWhereAFitCountsOpeningsAsTheyAre) {
+  const SmallDie die;
+  const std::string scene = die.scene().string(), file = (die.folder() / "fit.json").string();
+  const std::string rates = R"({"law": "beverloo-slit", "coefficients": {"C": {"value": 1.03}})";
+  for (const auto& [grain, remarked] : {std::pair{"0", true}, {"0.001", false}}) {
+    die.write("fit.json", rates + R"(, "effective_opening_grain_diameter_m": )" + grain + "}");
+    const Outcome outcome = run_program({"estimate", scene, "--discharge", file});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.find("fit them again with --grain-diameter") != std::string::npos, remarked)
+        << outcome.out;
+  }
+  die.write("fit.json", R"({"law": "beverloo-round", "coefficients": {"C": {"value": 0.58}}})");
+  expect_refused({"estimate", scene, "--discharge", file}, "through holes");
 }
 
 TEST(Plan, KeepsItsPilotSoThatASecondPlanIsQuick) {

@@ -1,6 +1,7 @@
 // diefill fit-discharge as a user meets it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -19,6 +20,25 @@ class FitDischarge : public testing::Test {
       const double mass = 0.25 * 3000 * 6e-3 * 33e-3 * 32e-3 * std::pow(std::sqrt(9.81 * 6e-3) / speed, 1.2);
       char line[64];
       std::snprintf(line, sizeof line, "%g,%.4g\n", speed, 1e3 * mass);
+      text += line;
+    }
+    return text;
+  }
+  /// C_B, C_I, C_F and beta of Eq. 5.15 (Bierwisch 2009).
+  struct Transient {
+    double burst, initial, steady, beta;
+  };
+  /// What has run out of a slit of 15 x 2.16 mm that opens at 0.1 s of a table up to 0.6 s; nothing more
+  /// comes after `empty` (s).
+  std::string outflow(const Transient& law, double empty) const {
+    std::string text = "time s,mass g\n";
+    for (int k = 0; k <= 60; ++k) {
+      const double time = 0.01 * k, x = (std::min(time, empty) - 0.1) * std::sqrt(9.81 / 15e-3) - 0.2;
+      const double share =
+          law.burst + law.steady * x + (law.steady - law.initial) / law.beta * std::expm1(-law.beta * x);
+      char line[64];
+      std::snprintf(line, sizeof line, "%g,%.6g\n", time,
+                    x < 0 ? 0 : 1e3 * 2100 * 2.16e-3 * std::pow(15e-3, 2) * share);
       text += line;
     }
     return text;
@@ -67,6 +87,63 @@ TEST_F(FitDischarge, ItsLawServesAnEstimate) {
   EXPECT_GT(json.at("largest_x").get<double>(), 2);
 }
 
+TEST_F(FitDischarge, RemarksOnFactorsThatOnlyAWrongUnitGives) {
+  const std::string right = masses(), rest = right.substr(right.find('\n'));
+  const auto said_of = [&](const std::string& heading, const char* density) {
+    auto arguments = words(heading + rest);
+    arguments[3] = density;
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string remark = "check the units of density, mass and width";
+  EXPECT_EQ(said_of("speed m/s,mass g", "3.0 g/cm^3").find(remark), std::string::npos);
+  EXPECT_NE(said_of("speed m/s,mass g", "3.0 kg/m^3").find(remark), std::string::npos);
+  EXPECT_NE(said_of("speed m/s,mass kg", "3.0 g/cm^3").find(remark), std::string::npos);
+  EXPECT_NE(said_of("speed m/s,mass mg", "3.0 g/cm^3").find(remark), std::string::npos);
+  const auto json = nlohmann::json::parse(support::contents(out() / "fit.json"));
+  EXPECT_NE(json.at("remarks").at(0).get<std::string>().find(remark), std::string::npos);
+}
+
+TEST_F(FitDischarge, RemarksOnAFactorOfBeverloosLawThatOnlyAWrongUnitGives) {
+  // C = 0.58 at 1 t/m^3.
+  const auto file = folder_.write("rates.csv", "rate g/s,diameter mm\n3.2,5\n18.2,10\n50,15\n").string();
+  for (const auto& [density, remarked] : {std::pair{"1 g/cm^3", false}, {"1 kg/m^3", true}}) {
+    const Outcome outcome =
+        run_program({"fit-discharge", file, "--density", density, "--out", out().string()});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.find("check the units of density, rate and width") != std::string::npos, remarked)
+        << outcome.out;
+  }
+}
+
+TEST_F(FitDischarge, LeavesOutWithUntilWhatCameOnceTheHopperWasEmpty) {
+  const auto file = folder_.write("outflow.csv", outflow({0.05, 0.39, 0.92, 1.4}, 0.5)).string();
+  const std::vector<std::string> whole = {"fit-discharge", file,        "--density", "2.1 g/cm^3",  "--width",
+                                          "15 mm",         "--length",  "2.16 mm",   "--opened",    "0.1 s",
+                                          "--law",         "transient", "--out",     out().string()};
+  expect_refused(whole, "leave out with --until");
+  auto flowing = whole;
+  flowing.insert(flowing.end(), {"--until", "0.5 s"});
+  const Outcome outcome = run_program(flowing);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("hardly rises"), std::string::npos) << outcome.out;
+  const auto json = nlohmann::json::parse(support::contents(out() / "fit.json"));
+  EXPECT_NEAR(json.at("coefficients").at("C_F").at("value").get<double>(), 0.92, 0.01);
+  EXPECT_NEAR(json.at("coefficients").at("beta").at("value").get<double>(), 1.4, 0.05);
+}
+
+TEST_F(FitDischarge, RemarksOnAnOutflowThatNoLongerRises) {
+  // The rate falls to a fortieth of the first one.
+  const auto file = folder_.write("outflow.csv", outflow({0.05, 4, 0.1, 0.5}, 0.6)).string();
+  const Outcome outcome =
+      run_program({"fit-discharge", file, "--density", "2.1 g/cm^3", "--width", "15 mm", "--length",
+                   "2.16 mm", "--opened", "0.1 s", "--law", "transient", "--out", out().string()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("hardly rises in the last fifth"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("--until"), std::string::npos) << outcome.out;
+}
+
 TEST_F(FitDischarge, RefusesBadInputInOneLineAndWritesNothing) {
   expect_refused(words("speed m/s,mass g\n0.1,24\n"), "found 1 points");
   expect_refused(words("speed m/s,mass g\n0.1,x\n"), "masses.csv:2:5: column mass: found \"x\"");
@@ -80,6 +157,8 @@ TEST_F(FitDischarge, RefusesBadInputInOneLineAndWritesNothing) {
   expect_refused(words(masses(), {"--law", "transent"}), "did you mean \"transient\"?");
   expect_refused(words(masses(), {"--grain-diameter", "0 mm"}), "allowed: more than 0");
   expect_refused(words(masses(), {"--grain-diameter", "1e9 m"}), "--grain-diameter: found \"1e9 m\"");
+  expect_refused(words(masses(), {"--until", "0.3 s"}), "--until: found 0.3 s, but law 5.17 has no times");
+  expect_refused(words(masses(), {"--until", "3"}), "--until: found \"3\"");
 }
 
 TEST_F(FitDischarge, OverwritesNoMeasurements) {

@@ -131,13 +131,13 @@ double drawn(double error) {
   return 100 * std::max(kMin, error);
 }
 
-/// What a share of the cases of each way does not exceed, at the middle of their times: a mark for each way,
-/// joined within a series.
-Curve curve_of(const std::vector<Way>& ways, const std::string& name, double share) {
+/// What a share of the cases of each way does not exceed, at the median of their times: a reference, joined
+/// within a series.
+Curve quantile_line(const std::vector<Way>& ways, const std::string& name, double share) {
   constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
   Curve curve;
   curve.name = name;
-  curve.style = CurveStyle::kLineAndMarkers;
+  curve.style = CurveStyle::kReference;
   for (std::size_t k = 0; k < ways.size(); ++k) {
     if (k > 0 && ways[k].series != ways[k - 1].series) {
       curve.x.push_back(kGap);
@@ -149,7 +149,7 @@ Curve curve_of(const std::vector<Way>& ways, const std::string& name, double sha
   return curve;
 }
 
-/// Single cases, and the middle and the worst tenth of the ways.
+/// Single cases, and the median and the 90th percentile of each way.
 diefill::render::Chart chart_of(const std::vector<Way>& ways) {
   diefill::render::Chart chart;
   chart.title = "Cost against error of the mass in the cavity";
@@ -172,8 +172,8 @@ diefill::render::Chart chart_of(const std::vector<Way>& ways) {
     for (const double error : way.errors) curve.y.push_back(drawn(error));
     chart.curves.push_back(curve);
   }
-  chart.curves.push_back(curve_of(ways, "half of the cases are better", 0.5));
-  chart.curves.push_back(curve_of(ways, "nine in ten are better", 0.9));
+  chart.curves.push_back(quantile_line(ways, "median error of each method", 0.5));
+  chart.curves.push_back(quantile_line(ways, "90th percentile of each method's error", 0.9));
   return chart;
 }
 

@@ -9,8 +9,15 @@ Two parameters (friction, work of adhesion) from the discharge through a slit at
 heap; with `--parameters 3` also the damping, and the solid fraction of the powder at rest as a further measurement.
 Scenes: slit_discharge and angle_of_repose of sample_tools/tradeoff with coarser, softer grains and less powder. A
 truth lies in the 90 % region where the density of the region's samples (Gaussian kernels, Scott's width) is above the
-tenth of the samples with the least. One row a draw is added to the CSV as soon as it is known; draws that stand there
-are not repeated."""
+tenth of the samples with the least.
+
+The filled mass of a die (the square of sample_tools/small_dies, the same grains) is not fitted but predicted, as a
+measurement with use = "check". Columns, in g: die_planted and die_scatter, mean and standard deviation of runs of the
+planted powder; die_best, that of the best powder; die_lower and die_upper, least and largest of runs of the best powder
+and of powders from the region's edge. die_within is 1 where that range, widened on both sides by two standard
+deviations, holds the planted powder's mean.
+
+One row a draw is added to the CSV as soon as it is known; draws that stand there are not repeated."""
 import argparse
 import csv
 import json
@@ -22,13 +29,17 @@ import subprocess
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-SCENES = os.path.join(ROOT, "sample_tools", "tradeoff")
+SCENES = os.path.join(ROOT, "sample_tools")
+SLIT, REPOSE, DIE = "tradeoff/slit_discharge", "tradeoff/angle_of_repose", "small_dies/square"
 SPEEDS = [0.3, 0.5, 0.8]  # m/s
 WIDTH = 9.6  # mm, periodic length of the slit
 FIRST_SEED = 1000  # of the hidden simulations
 HEAP = "slope_of_heap_on_the_slider_deg"
+BALANCE = 0.01  # g, least noise of a weighed die
 COARSE = ["powder.grain_diameter = '2.35 mm'", "powder.reduced_modulus = '4 MPa'"]
-LESS = {"slit_discharge": ["pour.fill_height = '8 mm'"], "angle_of_repose": ["pour.fill_height = '12 mm'"]}
+# Less powder; the die's scene has another preset than the slit's, which a calibration takes the powder from.
+CHANGES = {SLIT: ["pour.fill_height = '8 mm'"], REPOSE: ["pour.fill_height = '12 mm'"],
+           DIE: ["pour.fill_height = '8 mm'", "powder.preset = 'ASC100.29 D2'"]}
 
 
 class Parameter:
@@ -62,6 +73,10 @@ def run(arguments):
     return result.stdout
 
 
+def scene_file(name):
+    return os.path.join(SCENES, name + ".toml")
+
+
 def planted_scene(name, settings):
     """The scene's text with absolute files and settings such as "powder.friction = 0.4", table by table."""
     wanted = {}
@@ -70,7 +85,7 @@ def planted_scene(name, settings):
         table, key = path.rsplit(".", 1)
         wanted.setdefault(table.replace("step.1", "step"), {})[key] = value
     lines, table, left = [], "", {}
-    for line in open(os.path.join(SCENES, name + ".toml")).read().splitlines() + ["[end]"]:
+    for line in open(scene_file(name)).read().splitlines() + ["[end]"]:
         if line.startswith("["):
             lines += ["%s = %s" % item for item in left.items()]
             table = line.split("#")[0].strip().strip("[]")
@@ -81,19 +96,19 @@ def planted_scene(name, settings):
         if key == "seed":
             line = "seed = %d" % FIRST_SEED
         if key == "file":
-            line = 'file = "%s"' % os.path.normpath(os.path.join(SCENES, line.split('"')[1]))
+            line = 'file = "%s"' % os.path.normpath(os.path.join(os.path.dirname(scene_file(name)), line.split('"')[1]))
         lines.append(line)
     return "\n".join(lines[:-1]) + "\n"
 
 
-def simulated(options, folder, name, scene, settings):
+def simulated(options, folder, name, scene, settings, repeats):
     """Folders of repeats of a scene with the planted powder, at seeds that the calibration does not use."""
     path, out = os.path.join(folder, name + ".toml"), os.path.join(folder, name)
     with open(path, "w") as file:
-        file.write(planted_scene(scene, COARSE + LESS[scene] + settings))
-    run([options.program, "compare", path, "--seeds", str(options.repeats), "--jobs", str(options.jobs), "--out", out,
+        file.write(planted_scene(scene, COARSE + CHANGES[scene] + settings))
+    run([options.program, "compare", path, "--seeds", str(repeats), "--jobs", str(options.jobs), "--out", out,
          "--quiet"])
-    return [os.path.join(out, "as_it_is", "seed-%d" % (FIRST_SEED + k)) for k in range(options.repeats)]
+    return [os.path.join(out, "as_it_is", "seed-%d" % (FIRST_SEED + k)) for k in range(repeats)]
 
 
 def through_slit(folder):
@@ -115,25 +130,27 @@ def noisy(values, noise, generator):
 
 def measurement(name, scene, figure_name, settings=()):
     return '\n[[measurement]]\nname = "%s"\nfigure = "%s"\nscene = "%s"\nset = %s\n' % (
-        name, figure_name, os.path.join(SCENES, scene + ".toml"), json.dumps(COARSE + LESS[scene] + list(settings)))
+        name, figure_name, scene_file(scene), json.dumps(COARSE + CHANGES[scene] + list(settings)))
 
 
-def write_calibration(path, parameters, options, masses, slope, fraction):
+def write_calibration(path, parameters, options, masses, slope, fraction, die):
     text = 'title = "Planted powder"\nseed = 1\n'
     for each in parameters:
         text += "\n[[parameter]]\nkey = \"%s\"\nfrom = %s\nto = %s\n" % (
             each.key, each.text(each.search[0]), each.text(each.search[1]))
         text += 'scale = "logarithmic"\n' if each.logarithmic else ""
-    text += measurement("slit", "slit_discharge", "mass_through_slit") + 'over = "step.1.velocity"\n'
+    text += measurement("slit", SLIT, "mass_through_slit") + 'over = "step.1.velocity"\n'
     text += "at = [%s]\n" % ", ".join('"%g m/s"' % speed for speed in SPEEDS)
     text += "values = [%s]\n" % ", ".join('"%.6g g/mm"' % mass for mass, _ in masses)
     text += "deviations = [%s]\n" % ", ".join('"%.3g g/mm"' % deviation for _, deviation in masses)
-    text += measurement("heap", "angle_of_repose", HEAP)
+    text += measurement("heap", REPOSE, HEAP)
     text += 'value = "%.6g deg"\ndeviation = "%.3g deg"\n' % slope
     if fraction:
-        text += measurement("powder at rest", "slit_discharge", "bulk_solid_fraction",
+        text += measurement("powder at rest", SLIT, "bulk_solid_fraction",
                             ["step.1.velocity = '%g m/s'" % SPEEDS[0]])
         text += 'value = "%.6g"\ndeviation = "%.3g"\n' % fraction
+    text += measurement("die", DIE, "filled_mass_kg")
+    text += 'use = "check"\nvalue = "%.6g g"\ndeviation = "%.3g g"\n' % die
     text += "\n[search]\nseeds = %d\nstart_points = %d\nmost_points = %d\n" % (
         options.seeds, 4 + 2 * len(parameters), 6 + 5 * len(parameters))
     open(path, "w").write(text)
@@ -147,19 +164,22 @@ def trial(options, parameters, number):
     os.makedirs(folder, exist_ok=True)
     masses, fraction = [], None
     for k, speed in enumerate(SPEEDS):
-        runs = simulated(options, folder, "slit-%d" % k, "slit_discharge",
-                         powder + ["step.1.velocity = '%g m/s'" % speed])
+        runs = simulated(options, folder, "slit-%d" % k, SLIT, powder + ["step.1.velocity = '%g m/s'" % speed],
+                         options.repeats)
         values = [through_slit(each) for each in runs]
         masses.append(noisy(values, options.noise * statistics.fmean(values), generator))
         if k == 0 and len(parameters) > 2:
             fraction = noisy([figure(each, "bulk_solid_fraction") for each in runs], 0.003, generator)
-    heaps = simulated(options, folder, "heap", "angle_of_repose", powder)
+    heaps = simulated(options, folder, "heap", REPOSE, powder, options.repeats)
     slope = noisy([figure(each, HEAP) for each in heaps], options.angle_noise, generator)
+    dies = simulated(options, folder, "die", DIE, powder, options.die_repeats)
+    filled = [1e3 * figure(each, "filled_mass_kg") for each in dies]
+    die = noisy(filled, max(options.noise * statistics.fmean(filled), BALANCE), generator)
     path, found = os.path.join(folder, "calibration.toml"), os.path.join(folder, "found")
-    write_calibration(path, parameters, options, masses, slope, fraction)
+    write_calibration(path, parameters, options, masses, slope, fraction, die)
     again = ["--resume"] if os.path.exists(found) else []
     run([options.program, "calibrate", path, "--out", found, "--jobs", str(options.jobs), "--quiet"] + again)
-    return truth, json.load(open(os.path.join(found, "calibration.json")))
+    return truth, filled, json.load(open(os.path.join(found, "calibration.json")))
 
 
 def inside(truth, account, parameters):
@@ -176,7 +196,18 @@ def inside(truth, account, parameters):
     return density([each.place(value) for each, value in zip(parameters, truth)]) >= least
 
 
-def row_of(number, truth, account, parameters):
+def predicted_die(filled, account):
+    """Columns of the die's mass: planted, with its scatter over seeds, and predicted."""
+    planted, scatter = statistics.fmean(filled), statistics.stdev(filled)
+    found = next(each for each in account["measurements"] if each["name"] == "die")["data"][0]
+    best, lower, upper = (found[key] for key in ("simulated", "lower_90", "upper_90"))
+    within = lower is not None and lower - 2 * scatter <= planted <= upper + 2 * scatter
+    columns = {"planted": planted, "scatter": scatter, "best": best, "lower": lower, "upper": upper}
+    row = {"die_" + name: "" if value is None else "%.4g" % value for name, value in columns.items()}
+    return {**row, "die_within": int(within)}
+
+
+def row_of(number, truth, filled, account, parameters):
     row = {"trial": number, "in_region": int(inside(truth, account, parameters)),
            "chi_square": "%.3g" % account["chi_square"], "values": account["fitted_values"],
            "points": len(account["points"]),
@@ -186,7 +217,7 @@ def row_of(number, truth, account, parameters):
         for name, number in (("planted", value), ("best", found["best"]), ("lower_90", found["lower_90"]),
                              ("upper_90", found["upper_90"])):
             row["%s_%s" % (key, name)] = "%.4g" % number
-    return row
+    return {**row, **predicted_die(filled, account)}
 
 
 def main():
@@ -196,6 +227,7 @@ def main():
     parser.add_argument("--trials", type=int, default=10)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--repeats", type=int, default=3, help="simulated repeats of each measurement")
+    parser.add_argument("--die-repeats", type=int, default=5, help="the same of the die, for its scatter over seeds")
     parser.add_argument("--seeds", type=int, default=1, help="runs of each set of parameters in the calibration")
     parser.add_argument("--noise", type=float, default=0.03, help="relative noise added to the masses")
     parser.add_argument("--angle-noise", type=float, default=1, help="noise of the slope, deg")
@@ -216,8 +248,10 @@ def main():
             writer.writeheader()
             writer.writerows(rows)
     held = sum(int(row["in_region"]) for row in rows)
-    print("%d of %d planted powders lie in the 90 %% region; at most %s core minutes" %
-          (held, len(rows), max(row["core_minutes"] for row in rows)))
+    predicted = [int(row["die_within"]) for row in rows if row.get("die_within") not in (None, "")]
+    print("%d of %d planted powders lie in the 90 %% region; the mass of the die is predicted within scatter for %d of "
+          "%d; at most %s core minutes" %
+          (held, len(rows), sum(predicted), len(predicted), max((row["core_minutes"] for row in rows), key=float)))
 
 
 if __name__ == "__main__":

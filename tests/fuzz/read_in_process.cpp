@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
-#include <stdexcept>
 
 #include "geometry/cad/cad_child.h"
 
@@ -64,11 +63,11 @@ CadParts read_in_child(const std::function<CadParts()>& read, const ChildLimits&
   try {
     return read();
   } catch (const std::bad_alloc&) {
-    throw std::runtime_error("it declares more data than a file of its size can hold");
+    throw ChildError(ChildFailure::kTooMuchMemory, "it declares more data than a file of its size can hold");
   } catch (const std::exception& error) {
-    throw std::runtime_error(error.what());
+    throw ChildError(ChildFailure::kRefused, error.what());
   } catch (...) {
-    throw std::runtime_error("the importer failed without a message");
+    throw ChildError(ChildFailure::kRefused, "the importer failed without a message");
   }
 }
 

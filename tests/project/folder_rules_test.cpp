@@ -38,7 +38,7 @@ const std::vector<Rule>& rules() {
       {"process/cluster/lammps/", {"engine/", "geometry/", "process/"}, {"Eigen/", "lammps/", "mpi.h"}},
       {"process/compare/backups.cpp", {"process/"}, {"nlohmann/"}},
       {"process/plan/pilot_cache.cpp", {"engine/", "geometry/", "process/"}, {"nlohmann/"}},
-      {"process/estimate/powder_discharge.cpp", {"engine/", "geometry/", "process/"}, {"nlohmann/"}},
+      {"process/estimate/fitted_discharge.cpp", {"engine/", "geometry/", "process/"}, {"nlohmann/"}},
       {"process/laboratory/published/custom_runs.cpp", {"engine/", "process/"}, {"nlohmann/"}},
       {"process/laboratory/published/sawing/sawing_json.h", {"process/"}, {"nlohmann/"}},
       {"process/calibration/methods/",

@@ -64,6 +64,19 @@ def test_instants_ascend(folder):
     assert instants[0].position.shape == (len(instants[0]), 3)
 
 
+def test_schedule_checks_and_summary_are_those_of_the_report(folder):
+    report = json.loads((folder / "report.json").read_text())
+    results = diefill.read(folder)
+    stated, stages = report["solid_fraction"], results.stages
+    assert results.summary.grains == stated["grains"]
+    assert stated["mean"] is None or results.summary.mean == stated["mean"]
+    assert any("passage" in stage.words and stage.tool in results.tools for stage in stages)
+    assert all(one.start <= one.end for one in stages)
+    assert set(results.tool_checks) == set(results.tools)
+    assert all(check.volume > 0 and check.file.endswith(".stl") for check in results.tool_checks.values())
+    assert results.other_cavities == [] and len(results.instants[0].kind) == 0
+
+
 def test_missing_results_are_bad_input(tmp_path):
     with pytest.raises(diefill.BadInput, match="no such results file") as error:
         diefill.read(tmp_path)

@@ -1,7 +1,11 @@
 """Scenes: changed, estimated, planned, run, stopped and compared."""
+import tomllib
+
+import numpy as np
 import pytest
 
 import diefill
+from diefill.scene import _lines
 
 
 def test_changes_leave_the_scene_as_it_is(scene):
@@ -15,6 +19,28 @@ def test_a_wrong_key_is_bad_input_in_one_line(scene, tmp_path):
         scene.changed({"powder.grain_size": "1 mm"}).run(tmp_path / "out")
     assert "\n" not in str(error.value)
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("value, plain", [
+    (True, True), (3, 3), (0.5, 0.5), ("a \"b\" \\ \x7f\n", "a \"b\" \\ \x7f\n"), (np.bool_(False), False),
+    (np.int64(7), 7), (np.float64(1e-5), 1e-5), (np.float32(0.25), 0.25), (np.str_("1 mm"), "1 mm"),
+    (np.array([[1, 2], [3, 4]]), [[1, 2], [3, 4]]), (("1 mm", np.int8(2)), ["1 mm", 2]), (range(3), [0, 1, 2]),
+    ({"kind": "settle", "a b": {"x": np.float64(2)}}, {"kind": "settle", "a b": {"x": 2}})])
+def test_values_of_changes_are_written_as_toml(value, plain):
+    written = tomllib.loads("\n".join(_lines({"key": value})))["key"]
+    assert written == plain and type(written) is type(plain)
+
+
+@pytest.mark.parametrize("value", [None, {"1 mm"}, object(), b"1 mm", ["1 mm", None], 1j])
+def test_a_value_that_toml_has_no_type_for_is_bad_input(value):
+    with pytest.raises(diefill.BadInput, match="seed: .* is of type") as error:
+        diefill.Scene("scene.toml", {"seed": value}).estimate()
+    assert "\n" not in str(error.value)
+
+
+def test_numbers_of_numpy_change_a_scene(scene):
+    changed = scene.changed({"seed": np.int64(2), "measure.snapshot_interval": "0.2 s"})
+    assert changed.estimate()["openings"]
 
 
 def test_estimate_answers_for_the_cavity(scene):

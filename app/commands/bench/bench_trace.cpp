@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/observe/energy_balance.h"
+#include "process/results/formatted.h"
 #include "process/results/storage/atomic_file.h"
 
 namespace diefill::app {
@@ -12,9 +13,7 @@ namespace {
 
 std::string energy_row(const engine::Simulation& simulation) {
   const auto energy = engine::energy_of(simulation);
-  char row[120];
-  std::snprintf(row, sizeof row, "%.9g,%.9g,%.9g\n", simulation.time(), energy.translation, energy.rotation);
-  return row;
+  return results::formatted("%.9g,%.9g,%.9g\n", simulation.time(), energy.translation, energy.rotation);
 }
 
 std::string grain_rows(const engine::Simulation& simulation) {

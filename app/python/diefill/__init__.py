@@ -11,7 +11,7 @@ Scenes are run by the program `diefill` in a process of its own, so that Ctrl-C 
 leaves Python alone. Results are read by this package itself. All quantities are in SI units.
 """
 from ._results import (Cavity, ContactStress, Field, Instant, Powder, Probe, Profile, Results, Section,
-                       SolidFraction, Tool, figure_meaning)
+                       SolidFraction, Stage, Summary, Tool, ToolCheck, figure_meaning)
 from .comparison import Comparison, Measure
 from .errors import BadInput, Error, Failed, OutOfRange, UnfinishedWarning
 from .program import version
@@ -19,5 +19,5 @@ from .reading import read
 from .scene import Scene, new
 
 __all__ = ["BadInput", "Cavity", "Comparison", "ContactStress", "Error", "Failed", "Field", "Instant", "Measure",
-           "OutOfRange", "Powder", "Probe", "Profile", "Results", "Scene", "Section", "SolidFraction", "Tool",
-           "UnfinishedWarning", "figure_meaning", "new", "read", "version"]
+           "OutOfRange", "Powder", "Probe", "Profile", "Results", "Scene", "Section", "SolidFraction", "Stage",
+           "Summary", "Tool", "ToolCheck", "UnfinishedWarning", "figure_meaning", "new", "read", "version"]

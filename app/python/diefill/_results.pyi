@@ -75,6 +75,20 @@ class ContactStress:
     def shear(self) -> Floats:
         """(n, 3) J: yz, xz, xy"""
 
+class Summary:
+    """Solid fraction over the closed cells of the cavity at least 2 d below the powder's surface."""
+    mean: float
+    """sum of solid volumes over sum of cell volumes"""
+    arithmetic_mean: float
+    """of the grains' values"""
+    std: float
+    min: float
+    max: float
+    cv: float
+    """std over arithmetic_mean"""
+    grains: int
+    """grains counted"""
+
 class Instant:
     """Powder and places of the tools at an earlier time of the run."""
     time: float
@@ -90,6 +104,9 @@ class Instant:
     @property
     def velocity(self) -> Floats:
         """(n, 3) m/s"""
+    @property
+    def kind(self) -> NDArray[np.uint8]:
+        """(n,) number of the grain's type; empty for powder of one size"""
     @property
     def tool_orientation(self) -> Floats:
         """(tools, 4) unit quaternion from the tool's place at the end of the run"""
@@ -155,6 +172,33 @@ class Probe:
         """(rows, columns)"""
     def __getitem__(self, name: str) -> Floats: ...
 
+class Stage:
+    """One stage of the schedule as it happened."""
+    tool: str
+    """that moved; empty: none did"""
+    words: str
+    """for people, such as: 1 passage at 0.2 m/s"""
+    start: float
+    """s since the start of the scene"""
+    end: float
+    """s since the start of the scene"""
+
+class ToolCheck:
+    """What the check of a tool's mesh and wall spheres found."""
+    tool: str
+    file: str
+    """its CAD file, without folders"""
+    findings: List[str]
+    """about the mesh; empty: nothing to remark upon"""
+    volume: float
+    """m^3, enclosed by the mesh"""
+    mean_deviation: float
+    """m, of the wall spheres' envelope from the CAD surface"""
+    largest_deviation: float
+    """m"""
+    largest_gap: float
+    """m, between wall spheres"""
+
 class Tool:
     """A tool as it stood at the end of the run, laboratory frame."""
     name: str
@@ -205,6 +249,8 @@ class Results:
     solid_fraction: SolidFraction
     contact_stress: ContactStress
     cavity: Cavity
+    summary: Summary
+    """solid fraction of the grains in the cavity"""
     figures: Dict[str, float]
     """numbers of report.json by name; figure_meaning() explains them"""
     phase_seconds: Dict[str, float]
@@ -223,6 +269,15 @@ class Results:
     def tools(self) -> Dict[str, Tool]: ...
     @property
     def instants(self) -> List[Instant]: ...
+    @property
+    def stages(self) -> List[Stage]:
+        """the schedule as it happened"""
+    @property
+    def other_cavities(self) -> List[Cavity]:
+        """smaller ones; figures and maps are of `cavity`"""
+    @property
+    def tool_checks(self) -> Dict[str, ToolCheck]:
+        """by name of the tool"""
 
 def read(directory: str) -> Results:
     """Reads directory/results.h5. Raises ResultError naming the file and what is wrong with it."""

@@ -23,10 +23,10 @@ def find_program() -> str:
     named = os.environ.get("DIEFILL_PROGRAM")
     if named:
         return named
-    package = Path(__file__).absolute().parent
-    for place in (package.parents[3] / "bin" / "diefill", package.parents[1] / "bin" / "diefill"):
-        if os.access(place, os.X_OK):
-            return str(place)
+    above = Path(__file__).absolute().parent.parents
+    for folder in above[3:4] + above[1:2]:  # of an installation; of a build
+        if os.access(folder / "bin" / "diefill", os.X_OK):
+            return str(folder / "bin" / "diefill")
     found = shutil.which("diefill")
     if found is None:
         raise Failed("the program diefill is missing: install it, or name it in the environment as DIEFILL_PROGRAM")

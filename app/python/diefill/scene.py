@@ -7,29 +7,47 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
 
 from . import _results
 from .comparison import Comparison, read_comparison
+from .errors import BadInput
 from .program import Callback, call
 from .reading import read
 
-Value = Union[str, bool, int, float, Sequence[Any]]
-"""Of a key: quantities are texts with a unit, such as "0.1 m/s"."""
+Value = Union[str, bool, int, float, Sequence[Any], Mapping[str, Any]]
+"""Of a key: quantities are texts with a unit, such as "0.1 m/s". Numbers and arrays of NumPy are taken as well; a
+mapping is a table, such as one step."""
 Changes = Mapping[str, Value]
 """Value by key, such as {"step.1.velocity": "0.1 m/s", 'tool."core rod".position': ["0 mm", "0 mm", "1 mm"]}."""
 PathLike = Union[str, "os.PathLike[str]"]
 
 
-def _toml(value: Value) -> str:
-    """The value as TOML writes it."""
+def _toml(value: Any) -> str:
+    """The value as TOML writes it. Raises TypeError where TOML has no such type."""
+    if hasattr(value, "tolist"):  # of NumPy: its numbers are no int, bool or, since NumPy 2, not written as one
+        value = value.tolist()
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False)
-    if isinstance(value, (int, float)):
-        return repr(value)
-    return "[" + ", ".join(_toml(one) for one in value) + "]"
+        return json.dumps(str(value), ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, int):
+        return str(int(value))
+    if isinstance(value, float):
+        return repr(float(value))
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{_toml(str(key))} = {_toml(one)}" for key, one in value.items()) + "}"
+    if isinstance(value, Sequence) and not isinstance(value, (bytes, bytearray)):
+        return "[" + ", ".join(_toml(one) for one in value) + "]"
+    raise TypeError(f"{value!r} is of type {type(value).__name__}")
+
+
+def _line(key: str, value: Value) -> str:
+    try:
+        return f"{key} = {_toml(value)}"
+    except TypeError as error:
+        raise BadInput(f"{key}: {error}; allowed are texts, numbers, true and false, lists and mappings of "
+                       "them") from None
 
 
 def _lines(changes: Changes) -> List[str]:
-    return [f"{key} = {_toml(value)}" for key, value in changes.items()]
+    return [_line(key, value) for key, value in changes.items()]
 
 
 def _write_whole(file: Path, text: str) -> None:

@@ -87,10 +87,10 @@ Emulator::Process Emulator::process_with(const Eigen::VectorXd& log_parameters, 
   const Eigen::MatrixXd rest = outputs_ - trend_ * process.coefficients;
   process.weights = factor.solve(rest);
   const double freedom = static_cast<double>(runs - terms);
-  process.covariance = rest.transpose() * process.weights / freedom;
+  process.variances = rest.cwiseProduct(process.weights).colwise().sum().transpose() / freedom;
   const double log_determinant = 2 * factor.matrixLLT().diagonal().array().log().sum() +
                                  2 * of_trend.matrixLLT().diagonal().array().log().sum();
-  const double variances = (process.covariance.diagonal().array() + kConstant).log().mean();
+  const double variances = (process.variances.array() + kConstant).log().mean();
   const double preference =
       ((log_parameters.head(dimensions).array() - std::log(kUsualLength)) / kSpreadOfLengths).square().sum();
   process.log_likelihood = -0.5 * (freedom * variances + log_determinant + preference);
@@ -111,7 +111,7 @@ void Emulator::choose_processes() {
   const Minimum best = minimum_in_box([&](const Eigen::VectorXd& at) { return -log_likelihood(at); },
                                       limits.lower, limits.upper, evaluations);
   most_probable_ = process_with(best.at, true);
-  scatter_ = (most_probable_.noise * most_probable_.covariance.diagonal()).cwiseMax(0).cwiseSqrt();
+  scatter_ = (most_probable_.noise * most_probable_.variances).cwiseMax(0).cwiseSqrt();
   scatter_ = scatter_.cwiseProduct(spread_);
   EnsembleSize size;
   size.walkers = std::max<Eigen::Index>(kProcesses, 4 * (inputs_.cols() + 1));
@@ -133,14 +133,17 @@ void Emulator::check_by_leaving_out() {
   double squares = 0, count = 0;
   for (Eigen::Index k = 0; k < outputs_.rows(); ++k)
     for (Eigen::Index q = 0; q < outputs_.cols(); ++q) {
-      const double variance = process.covariance(q, q) * rest(k, k);
+      const double variance = process.variances[q] * rest(k, k);
       if (!(variance > kConstant)) continue;
       squares += weighted(k, q) * weighted(k, q) / variance;
       count += 1;
     }
   left_out_error_ = count > 0 ? std::sqrt(squares / count) : 0;
   const double widened = std::max(1.0, left_out_error_ * left_out_error_);
-  covariance_ = widened * (spread_.asDiagonal() * process.covariance * spread_.asDiagonal());
+  const double freedom = static_cast<double>(outputs_.rows() - trend_.cols());
+  const Eigen::MatrixXd of_outputs =
+      (outputs_ - trend_ * process.coefficients).transpose() * process.weights / freedom;
+  covariance_ = widened * (spread_.asDiagonal() * of_outputs * spread_.asDiagonal());
 }
 
 Emulator::Prediction Emulator::at(const Eigen::VectorXd& place) const {
@@ -159,7 +162,7 @@ Emulator::Prediction Emulator::at(const Eigen::VectorXd& place) const {
         std::max(0.0, 1 - near.dot(process.inverse * near) + missing.dot(process.trend_normal * missing));
     sum += mean / count;
     squares += mean.cwiseAbs2() / count;
-    variance += factor / count * process.covariance.diagonal();
+    variance += factor / count * process.variances;
   }
   variance += (squares - sum.cwiseAbs2()).cwiseMax(0);
   // The variation itself is known from as many runs only: Student's t is wider than a normal distribution.
@@ -167,8 +170,8 @@ Emulator::Prediction Emulator::at(const Eigen::VectorXd& place) const {
   if (freedom > 2) variance *= freedom / (freedom - 2);
   double factor = 0, vary = 0;
   for (Eigen::Index q = 0; q < quantities; ++q) {
-    if (!(most_probable_.covariance(q, q) > kConstant)) continue;
-    factor += variance[q] / most_probable_.covariance(q, q);
+    if (!(most_probable_.variances[q] > kConstant)) continue;
+    factor += variance[q] / most_probable_.variances[q];
     vary += 1;
   }
   return {middle_ + spread_.cwiseProduct(sum), vary > 0 ? factor / vary : 0};

@@ -40,7 +40,7 @@ class Emulator {
     Eigen::VectorXd lengths;
     double noise = 0;  ///< variance of scatter over that of the variation
     Eigen::MatrixXd inverse, trend_normal, trend_weight, coefficients, weights;
-    Eigen::MatrixXd covariance;
+    Eigen::VectorXd variances;  ///< of each quantity where nothing is known, apart from scatter
     double log_likelihood =
         0;  ///< restricted, mean over the quantities, with the preference for usual lengths
   };

@@ -10,8 +10,9 @@
 
 namespace diefill::process::calibration {
 
-/// One sentence for every parameter that the data leave open, and for every pair that they fix only along a
-/// line. `measured_by`: names of the measurements that were fitted.
+/// One sentence for every parameter that the data leave open, for every end of a range that cuts the region
+/// off, and for every pair that the data fix only along a line. `measured_by`: names of the measurements that
+/// were fitted.
 std::vector<std::string> insights(const Region& region, const std::vector<std::string>& parameters,
                                   const std::vector<std::string>& measured_by);
 

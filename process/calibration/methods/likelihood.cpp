@@ -1,10 +1,16 @@
 #include "process/calibration/methods/likelihood.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace diefill::process::calibration {
+namespace {
+
+constexpr double kNoSpread = 1e-14;  // of the largest eigenvalue: what rounding makes of 0
+
+}  // namespace
 
 Likelihood::Likelihood(std::vector<MeasuredData> data) : data_(std::move(data)) {
   if (data_.empty()) throw std::invalid_argument("a likelihood needs a measurement");
@@ -17,8 +23,11 @@ Likelihood::Likelihood(std::vector<MeasuredData> data) : data_(std::move(data)) 
                                      measured.emulator->covariance() *
                                      measured.deviations.cwiseInverse().asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (whitened + whitened.transpose()));
-    turn_.push_back(solver.eigenvectors());
-    spread_.push_back(solver.eigenvalues().cwiseMax(0));
+    const Eigen::VectorXd& rising = solver.eigenvalues();
+    const Eigen::Index kept = (rising.array() > kNoSpread * std::abs(rising[count - 1])).count();
+    turn_.push_back(solver.eigenvectors().rightCols(kept));
+    spread_.push_back(Eigen::VectorXd::Zero(kept + 1));
+    spread_.back().tail(kept) = rising.tail(kept);
   }
 }
 
@@ -27,7 +36,10 @@ std::vector<Differences> Likelihood::differences(const Eigen::VectorXd& place) c
   for (std::size_t k = 0; k < data_.size(); ++k) {
     const auto predicted = data_[k].emulator->at(place);
     const Eigen::VectorXd over = (predicted.mean - data_[k].values).cwiseQuotient(data_[k].deviations);
-    all.push_back({turn_[k].transpose() * over, predicted.factor, &spread_[k]});
+    Eigen::VectorXd turned(spread_[k].size());
+    turned.tail(turned.size() - 1) = turn_[k].transpose() * over;
+    turned[0] = std::sqrt(std::max(0.0, over.squaredNorm() - turned.tail(turned.size() - 1).squaredNorm()));
+    all.push_back({std::move(turned), predicted.factor, &spread_[k]});
   }
   return all;
 }

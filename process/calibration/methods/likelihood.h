@@ -17,7 +17,8 @@ struct MeasuredData {
 };
 
 /// Differences of one measurement, turned so that they are independent of each other: each has variance
-/// 1 + factor * spread.
+/// 1 + factor * spread. An emulator of some runs varies in as many directions at most: all others, of which a
+/// map has thousands, are one entry with the root of their sum of squares and no spread.
 struct Differences {
   Eigen::VectorXd value;  ///< simulated less measured over the measured deviation, turned
   double factor = 0;      ///< of the emulator at this place
@@ -46,8 +47,9 @@ class Likelihood {
 
  private:
   std::vector<MeasuredData> data_;
-  std::vector<Eigen::MatrixXd> turn_;    ///< eigenvectors of the emulator's covariance over the deviations
-  std::vector<Eigen::VectorXd> spread_;  ///< and its eigenvalues
+  /// Of the emulator's covariance over the deviations: eigenvectors with an eigenvalue, and these after a 0.
+  std::vector<Eigen::MatrixXd> turn_;
+  std::vector<Eigen::VectorXd> spread_;
 };
 
 }  // namespace diefill::process::calibration

@@ -96,7 +96,7 @@ double expected_improvement(const Likelihood& likelihood, const Eigen::VectorXd&
   Eigen::Index column = 0;
   static const Eigen::MatrixXd draws = normal_draws(64);
   for (const Differences& part : parts) {
-    const Eigen::Index count = part.value.size(), few = std::min(kDirections, count);
+    const Eigen::Index count = part.value.size(), few = std::min(kDirections, count - 1);
     misfit.array() += part.value.head(count - few).squaredNorm();
     for (Eigen::Index k = count - few; k < count; ++k) {
       const double spread = std::sqrt(part.factor * (*part.spread)[k]);
@@ -118,6 +118,13 @@ double misfit_scatter(const Likelihood& likelihood, const Eigen::VectorXd& place
   return std::sqrt(variance);
 }
 
+double mean_emulator_share(const Likelihood& likelihood, const Region& region) {
+  const auto inside = some_of(region);
+  double sum = 0;
+  for (const Eigen::VectorXd& place : inside) sum += likelihood.emulator_share(place);
+  return sum / static_cast<double>(inside.size());
+}
+
 bool NextPoints::worthwhile() const {
   return !places.empty() && (expected_gain > std::max(scatter, 0.1) || emulator_share > kShareThatMatters);
 }
@@ -131,8 +138,7 @@ NextPoints next_points(const Likelihood& likelihood, const Region& region,
   for (const Eigen::VectorXd& place : all)
     next.expected_gain = std::max(next.expected_gain, expected_improvement(likelihood, place, best.value));
   const auto inside = some_of(region);
-  for (const Eigen::VectorXd& place : inside)
-    next.emulator_share += likelihood.emulator_share(place) / static_cast<double>(inside.size());
+  next.emulator_share = mean_emulator_share(likelihood, region);
   std::vector<Eigen::VectorXd> occupied = taken;
   const double apart = too_near(region);
   for (std::size_t k = 0; k < count; ++k) {

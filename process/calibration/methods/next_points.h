@@ -17,13 +17,17 @@ double expected_improvement(const Likelihood& likelihood, const Eigen::VectorXd&
 /// Standard deviation of the misfit at a place over seeds, were the runs there repeated.
 double misfit_scatter(const Likelihood& likelihood, const Eigen::VectorXd& place);
 
+/// Mean over the region of the emulators' variance over the measurements': how much of the uncertainty comes
+/// from simulations too few.
+double mean_emulator_share(const Likelihood& likelihood, const Region& region);
+
 struct NextPoints {
   /// First where the improvement expected is largest; second where, within the region that agrees, the
   /// emulators know least; and so on in turn.
   std::vector<Eigen::VectorXd> places;
   double expected_gain = 0;   ///< largest improvement expected over the least misfit that the emulators know
   double scatter = 0;         ///< misfit_scatter() where the misfit is least
-  double emulator_share = 0;  ///< mean over the region of the emulators' variance over the measurements'
+  double emulator_share = 0;  ///< mean_emulator_share()
 
   /// Whether simulations can still change the answer: the gain exceeds the scatter over seeds, or the
   /// emulators add more than `kShareThatMatters` to the measurements' variance.

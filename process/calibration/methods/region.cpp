@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <utility>
 
 namespace diefill::process::calibration {
 namespace {
@@ -16,6 +18,19 @@ double quantile(std::vector<double> values, double share) {
   return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
 }
 
+/// Random order (Fisher and Yates): samples come walker by walker, so that every k-th of them would be the
+/// chain of a single one.
+void shuffle_rows(EnsembleSamples& samples, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  for (Eigen::Index last = samples.place.rows() - 1; last > 0; --last) {
+    const double uniform = static_cast<double>(random() >> 11U) * 0x1p-53;
+    const auto other = static_cast<Eigen::Index>(uniform * static_cast<double>(last + 1));
+    samples.place.row(last).swap(samples.place.row(other));
+    std::swap(samples.log[last], samples.log[other]);
+  }
+}
+
+/// Intervals hold the best place too, which a region that the box cuts off may have at its end.
 void summarise(Region& region) {
   const Eigen::Index dimensions = region.samples.cols();
   const double outside = 0.5 * (1 - region.share);
@@ -23,8 +38,8 @@ void summarise(Region& region) {
   region.upper.resize(dimensions);
   for (Eigen::Index d = 0; d < dimensions; ++d) {
     const std::vector<double> values(region.samples.col(d).begin(), region.samples.col(d).end());
-    region.lower[d] = quantile(values, outside);
-    region.upper[d] = quantile(values, 1 - outside);
+    region.lower[d] = std::min(quantile(values, outside), region.best[d]);
+    region.upper[d] = std::max(quantile(values, 1 - outside), region.best[d]);
   }
   region.threshold = quantile({region.log.begin(), region.log.end()}, 1 - region.share);
   region.mean = region.samples.colwise().mean();
@@ -48,6 +63,7 @@ Region sample_region(const LogLikelihood& log_likelihood, Eigen::Index dimension
   size.walkers = std::max<Eigen::Index>(20, 6 * dimensions);
   size.samples = samples;
   EnsembleSamples sampled = sample_ensemble(log_likelihood, best.at, seed, size);
+  shuffle_rows(sampled, seed);
   Region region;
   region.share = share;
   region.best = best.at;

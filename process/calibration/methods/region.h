@@ -16,12 +16,12 @@ namespace diefill::process::calibration {
 using LogLikelihood = LogDensity;
 
 struct Region {
-  Eigen::MatrixXd samples;  ///< in the unit cube, one a row
+  Eigen::MatrixXd samples;  ///< in the unit cube, one a row, in random order: every k-th stand for all
   Eigen::VectorXd log;      ///< log-likelihood of each
   Eigen::VectorXd best;     ///< where the likelihood is largest
   double best_log = 0;
   double threshold = 0;  ///< log-likelihood at the edge of the region that holds `share` of the samples
-  Eigen::VectorXd lower, upper;  ///< interval of each parameter alone that holds `share`
+  Eigen::VectorXd lower, upper;  ///< interval of each parameter alone that holds `share`, and `best`
   Eigen::VectorXd mean;
   Eigen::MatrixXd covariance;
   double share = 0.9;

@@ -1,7 +1,6 @@
 // How a rank begins: LAMMPS gets a box, one atom a grain, and what each grain brings along.
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cstdio>
 #include <unordered_map>
 
 #include "process/cluster/lammps/fix_grains.h"
@@ -9,15 +8,14 @@
 #include "process/cluster/lammps/memory_record.h"
 #include "process/cluster/lammps/pair_contacts.h"
 #include "process/cluster/lammps/rank_engine.h"
+#include "process/results/formatted.h"
 
 namespace diefill::process::cluster {
 
 namespace {
 
 std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
+  return results::formatted("%.17g", value);
 }
 
 template <class Style, class... Arguments>

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "process/laboratory/flow/hopper_charts.h"
+#include "process/laboratory/flow/hopper_contours.h"
 #include "process/laboratory/flow/hopper_figures.h"
 #include "process/laboratory/flow/hopper_setups.h"
 #include "process/laboratory/flow/registry.h"
@@ -13,7 +14,6 @@ namespace diefill::process::laboratory {
 namespace {
 
 constexpr double kConstant = 1.8e-3;  // m, B of the incompressible model (Bierwisch 2009, section 5.1.2)
-constexpr double kPeakShare = 0.95;  // n_peak over the largest solid fraction (Bierwisch 2009, section 5.1.3)
 
 /// Table 5.1 (Bierwisch 2009) with grains enlarged by `factor`.
 std::vector<HopperSetup> setups(double factor) {
@@ -32,18 +32,6 @@ std::vector<HopperSetup> setups(double factor) {
   all[4].width = 60e-3;
   for (HopperSetup& setup : all) fit_to_grains(factor, setup);
   return all;
-}
-
-/// Eq. 5.5 fitted to local lengths of powder no denser than the peak.
-continuum::LengthOfFraction fitted(const std::vector<continuum::LengthPoint>& points, double bulk) {
-  const double peak = kPeakShare * bulk;
-  std::vector<continuum::LengthPoint> rising;
-  for (const auto& point : points)
-    if (point.fraction <= peak) rising.push_back(point);
-  continuum::LengthOfFraction length = continuum::fit_length(rising);
-  length.diverging = std::max(length.diverging, 1.001 * peak);
-  length.peak = std::min(peak, length.diverging * (1 - 1e-6));
-  return length;
 }
 
 void add_limit(results::ExperimentResult& result, const std::string& name, double measured, double published,
@@ -66,6 +54,8 @@ void add_limits(const HopperSetup& setup, const HopperFields& fields, double sca
             "1", "Bierwisch 2009, Table 5.2");
   add_limit(result, "B_0", 1e3 * length.smallest, 0.116, "mm", "Bierwisch 2009, Eq. 5.5");
   add_limit(result, "n_div", length.diverging, 0.353, "1", "Bierwisch 2009, Eq. 5.5");
+  add_limit(result, "B at a solid fraction of 0.30", 1e3 * length(0.30), 0.773, "mm",
+            "Bierwisch 2009, Eq. 5.5");
 }
 
 void add_model_errors(const HopperFields& fields, double width, const continuum::HopperFlow& incompressible,
@@ -91,7 +81,9 @@ void compare_hopper(const ExperimentOptions& options, results::ExperimentResult&
   const auto& fields = study.fields;
   const double scale = speed_scale(all[0]);
   const auto points = local_lengths(fields[0], 0.1 * scale);
-  study.length = fitted(points, fields[0].bulk_fraction);
+  const FittedLength fitted = fit_rising_branch(points, fields[0].bulk_fraction, all[0].equivalent_slit);
+  study.length = fitted.length;
+  study.length_at_bound = fitted.at_bound;
   study.incompressible = solve_for(fields[0], all[0].slit, continuum::constant_length(kConstant), false);
   study.compressible = solve_for(fields[0], all[0].slit, study.length, true);
   add_limits(all[0], fields[0], scale, study.length, result);
@@ -99,8 +91,9 @@ void compare_hopper(const ExperimentOptions& options, results::ExperimentResult&
   result.figures = hopper_figures(study);
   result.charts.push_back(length_chart(points, study.length));
   result.charts.push_back(length_field_chart(all[0], fields[0]));
-  add_profile_charts(fields[0], all[0].equivalent_slit, {&study.incompressible, &study.compressible},
-                     result.charts);
+  const HopperModels models{&study.incompressible, &study.compressible};
+  add_profile_charts(fields[0], all[0].equivalent_slit, models, result.charts);
+  add_contour_charts(fields[0], models, result.charts);
   std::vector<double> scales, widths;
   for (const auto& setup : all) {
     scales.push_back(speed_scale(setup));

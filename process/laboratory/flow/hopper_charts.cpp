@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "process/results/formatted.h"
 
 namespace diefill::process::laboratory {
 
@@ -10,13 +11,6 @@ namespace {
 
 using results::ExperimentChart;
 using results::ExperimentSeries;
-
-template <class... Numbers>
-std::string text(const char* format, Numbers... numbers) {
-  char buffer[200];
-  std::snprintf(buffer, sizeof buffer, format, numbers...);
-  return buffer;
-}
 
 int row_at(const continuum::HopperGrid& grid, double z) {
   return std::clamp(static_cast<int>(std::lround(z / grid.spacing_z())), 0, grid.rows);
@@ -59,8 +53,9 @@ ExperimentChart length_chart(const std::vector<continuum::LengthPoint>& points,
   chart.name = "hopper_diffusion_length";
   chart.title = "Local diffusion length over the solid fraction";
   chart.subtitle = "B = -v_x / (dv_z/dx) where |v_x| > 0.1 sqrt(gD), set-up 1";
-  chart.note = text("Fit of Eq. 5.5 below the peak: B_0 = %.3g mm, n_div = %.3f; published: 0.116 mm, 0.353",
-                    1e3 * fitted.smallest, fitted.diverging);
+  chart.note = results::formatted(
+      "Fit of Eq. 5.5 below the peak: B_0 = %.3g mm, n_div = %.3f; published: 0.116 mm, 0.353",
+      1e3 * fitted.smallest, fitted.diverging);
   chart.x = {.label = "Solid fraction"};
   chart.y = {.label = "B [mm]", .logarithmic = true};
   constexpr int kClasses = 16;
@@ -107,13 +102,13 @@ ExperimentChart length_field_chart(const HopperSetup& setup, const HopperFields&
   const double width = setup.equivalent_slit, least = kMinSpeed * std::sqrt(setup.gravity * width);
   chart.name = "hopper_length_field";
   chart.title = "Local diffusion length over x at six heights";
-  chart.subtitle =
-      text("B = -v_x / (dv_z/dx) where |v_x| > 0.02 sqrt(gD), set-up 1, D = %.4g mm", 1e3 * width);
+  chart.subtitle = results::formatted(
+      "B = -v_x / (dv_z/dx) where |v_x| > 0.02 sqrt(gD), set-up 1, D = %.4g mm", 1e3 * width);
   chart.note = "Kinematic model: 1.8 mm everywhere";
   chart.x = {.label = "x [mm]"};
   chart.y = {.label = "B [mm]", .logarithmic = true, .lower = 0.1, .upper = 100};
   for (const double height : kHeights) {
-    ExperimentSeries series{.name = text("z = %.2f D", height), .x = {}, .y = {}};
+    ExperimentSeries series{.name = results::formatted("z = %.2f D", height), .x = {}, .y = {}};
     const int row = row_at(fields.grid, height * width);
     for (int c = 1; c + 1 < fields.grid.columns; ++c) {
       const double length = local_length(fields, c, row);
@@ -133,9 +128,10 @@ void add_profile_charts(const HopperFields& fields, double width, const HopperMo
       const double z = height * width;
       if (z > fields.grid.height) continue;
       ExperimentChart chart;
-      chart.name = text("hopper_v%s_%.2f", upright ? "z" : "x", height);
-      chart.title = text("%s velocity %.3g mm above the slit", upright ? "Vertical" : "Horizontal", 1e3 * z);
-      chart.subtitle = text("set-up 1, %.2f D, D = %.4g mm", height, 1e3 * width);
+      chart.name = results::formatted("hopper_v%s_%.2f", upright ? "z" : "x", height);
+      chart.title = results::formatted("%s velocity %.3g mm above the slit",
+                                       upright ? "Vertical" : "Horizontal", 1e3 * z);
+      chart.subtitle = results::formatted("set-up 1, %.2f D, D = %.4g mm", height, 1e3 * width);
       chart.note = "KM: B = 1.8 mm. CKM: B of the solid fraction as fitted, fractions of the DEM.";
       chart.x = {.label = "x [mm]"};
       chart.y = {.label = upright ? "v_z [m/s]" : "v_x [m/s]"};
@@ -152,9 +148,9 @@ void add_scaling_charts(const std::vector<HopperSetup>& setups, const std::vecto
   for (const bool upright : {true, false})
     for (const double height : {0.25, 0.5, 1.0}) {
       ExperimentChart chart;
-      chart.name = text("hopper_scaling_v%s_%.2f", upright ? "z" : "x", height);
-      chart.title =
-          text("%s velocity over sqrt(gD) at z = %.2f D", upright ? "Vertical" : "Horizontal", height);
+      chart.name = results::formatted("hopper_scaling_v%s_%.2f", upright ? "z" : "x", height);
+      chart.title = results::formatted("%s velocity over sqrt(gD) at z = %.2f D",
+                                       upright ? "Vertical" : "Horizontal", height);
       chart.subtitle = "five set-ups (Bierwisch 2009, Table 5.1)";
       chart.note = "D: width of the source's slit, as wide for its grains as the slit here for these";
       chart.x = {.label = "x / D", .lower = -2, .upper = 2};

@@ -6,6 +6,7 @@
 
 #include "process/laboratory/flow/hopper_models.h"
 #include "process/laboratory/flow/hopper_setups.h"
+#include "process/results/formatted.h"
 
 namespace diefill::process::laboratory {
 
@@ -17,6 +18,9 @@ constexpr double kLoosened = 0.02;   // of the bulk fraction
 constexpr double kNegligible = 0.1;  // of the largest |v_x|
 constexpr double kProfiles = 0.25;   // D, the lowest of the profiles
 constexpr double kIsoline = -0.1;    // m/s (section 5.1.2)
+constexpr double kPeakShare = 0.95;  // n_peak over the largest solid fraction (section 5.1.3)
+constexpr double kCompared = 0.30;   // solid fraction at which B is given beside B_0
+constexpr double kFar = 3;           // D, above which powder sinks as a plug
 
 int row_at(const continuum::HopperGrid& grid, double z) {
   return std::clamp(static_cast<int>(std::lround(z / grid.spacing_z())), 0, grid.rows);
@@ -64,17 +68,65 @@ std::vector<double> scaled_row(const HopperSetup& setup, const HopperFields& fie
   return row;
 }
 
-/// |v_z| over sqrt(g D) on the axis at z = 2 D, far above the collapse (section 5.1.4).
-double far_speed(const HopperSetup& setup, const HopperFields& fields) {
-  const double d = setup.equivalent_slit;
-  return std::abs(mean_near(fields, fields.vertical, d / 4, 1.9 * d, 2.1 * d)) / speed_scale(setup);
+/// m/s, mean |v_z| over the whole width far above the slit: sqrt(g D^3) / l times a constant (section 5.1.4).
+double plug_speed(const HopperSetup& setup, const HopperFields& fields) {
+  return std::abs(mean_near(fields, fields.vertical, fields.grid.width, kFar * setup.equivalent_slit,
+                            fields.grid.height));
 }
 
 double loose_fraction(const HopperSetup& setup, const HopperFields& fields) {
   return mean_near(fields, fields.fraction, setup.equivalent_slit / 2, 0, setup.equivalent_slit / 2);
 }
 
+/// Eq. 5.5 with this n_div and the B_0 of the least squares of log B.
+continuum::LengthOfFraction length_with(const std::vector<continuum::LengthPoint>& points, double diverging,
+                                        double peak) {
+  double sum = 0, count = 0;
+  for (const auto& point : points) {
+    sum += std::log(point.length) + std::log1p(-point.fraction / diverging);
+    ++count;
+  }
+  return {std::exp(sum / count), diverging, peak};
+}
+
+/// The smallest n_div with which B at the peak is no more than `longest` (m); `largest` where none is.
+double smallest_diverging(const std::vector<continuum::LengthPoint>& points, double peak, double largest,
+                          double longest) {
+  double low = peak, high = largest;
+  for (int k = 0; k < 50; ++k) {
+    const double middle = 0.5 * (low + high);
+    (length_with(points, middle, peak)(peak) > longest ? low : high) = middle;
+  }
+  return high;
+}
+
+/// Parameters of Eq. 5.5. B_0 and n_div depend on each other, so that B at one solid fraction stands beside
+/// B_0; a bound is no measurement of n_div.
+std::vector<results::ExperimentFigure> length_figures(const HopperStudy& study) {
+  const auto& length = study.length;
+  const bool bound = study.length_at_bound;
+  const std::string beside =
+      results::formatted("B(0.30) = %.3g mm, published 0.773 mm", 1e3 * length(kCompared));
+  const std::string at = results::formatted("n_div at its bound, %.4f", length.diverging);
+  const std::string below =
+      results::formatted("%.3f below the bulk, published 0.012", length.peak / kPeakShare - length.diverging);
+  return {{"D07", 1e3 * length.smallest, bound ? beside + "; " + at : beside},
+          {"D08", bound ? kNone : length.diverging, bound ? at : below},
+          {"D09", length.peak, "95 % of the bulk, as published; not fitted"},
+          {"D10", length.smallest / study.setups[0].equivalent_slit, bound ? at : ""}};
+}
+
 }  // namespace
+
+FittedLength fit_rising_branch(const std::vector<continuum::LengthPoint>& points, double bulk, double slit) {
+  const double peak = kPeakShare * bulk;
+  std::vector<continuum::LengthPoint> rising;
+  for (const auto& point : points)
+    if (point.fraction <= peak && point.length > 0) rising.push_back(point);
+  const double best = continuum::fit_length(rising).diverging;
+  const double diverging = std::clamp(best, smallest_diverging(rising, peak, bulk, slit), bulk);
+  return {length_with(rising, diverging, peak), diverging != best};
+}
 
 double height_of_loosening(const HopperFields& fields, double slit, double share) {
   const double bulk = mean_near(fields, fields.fraction, fields.grid.width, kBulkFrom, fields.grid.height);
@@ -152,7 +204,9 @@ std::vector<results::ExperimentFigure> hopper_figures(const HopperStudy& study) 
   const ModelError constant = error_of(study.incompressible, fields, kProfiles * d, 2 * d);
   const ModelError varying = error_of(study.compressible, fields, kProfiles * d, 2 * d);
   const auto loose = [&](std::size_t k) { return loose_fraction(study.setups[k], study.fields[k]); };
-  const auto far = [&](std::size_t k) { return far_speed(study.setups[k], study.fields[k]); };
+  const auto far = [&](std::size_t k) {
+    return plug_speed(study.setups[k], study.fields[k]) / speed_scale(study.setups[k]);
+  };
   std::vector<results::ExperimentFigure> figures = {
       {"D01", bulk, ""},
       {"D02", 1e3 * height_of_loosening(fields, d, kLoosened), "2 % below the bulk above the slit"},
@@ -163,16 +217,14 @@ std::vector<results::ExperimentFigure> hopper_figures(const HopperStudy& study) 
            bend_of_isoline(fields.grid, study.incompressible.vertical, kIsoline, 0.1 * d, d),
        "v_z = -0.1 m/s, z = 0.1 to 1 D, distance from a straight line"},
       {"D06", height_of_side_flow(fields, kNegligible) / d, "a tenth of the largest"},
-      {"D07", 1e3 * study.length.smallest, ""},
-      {"D08", study.length.diverging, ""},
-      {"D09", study.length.peak, "95 % of the bulk"},
-      {"D10", study.length.smallest / d, ""},
       {"D11", varying.horizontal / constant.horizontal, "z = 0.25 to 2 D"},
-      {"D12", std::abs(mean_near(fields, fields.vertical, fields.grid.width, 3 * d, fields.grid.height)),
-       "mean above 3 D"},
+      {"D12", plug_speed(first, fields), "mean above 3 D"},
       {"D13", spread_of_collapse(study), ""},
-      {"D14", std::max(far(1), far(4)) / ((far(0) + far(2) + far(3)) / 3), "z = 2 D"},
+      {"D14", std::max(far(1), far(4)) / ((far(0) + far(2) + far(3)) / 3), "mean above 3 D"},
       {"D15", std::max(loose(1), loose(3)) - std::min({loose(0), loose(2), loose(4)}), ""}};
+  for (auto& figure : length_figures(study)) figures.push_back(std::move(figure));
+  std::sort(figures.begin(), figures.end(),
+            [](const auto& one, const auto& other) { return one.id < other.id; });
   for (auto& figure : figures) {
     const bool compares = figure.id == "D13" || figure.id == "D14" || figure.id == "D15";
     figure.grain_diameter = study.setups[compares ? 3 : 0].powder.grain_diameter;

@@ -14,8 +14,20 @@ struct HopperStudy {
   std::vector<HopperSetup> setups;
   std::vector<HopperFields> fields;
   continuum::LengthOfFraction length;  ///< Eq. 5.5 fitted to the first
+  bool length_at_bound = false;        ///< its n_div stands at a bound
   continuum::HopperFlow incompressible, compressible;
 };
+
+/// Eq. 5.5 with n_peak = 0.95 `bulk`, the largest solid fraction (Bierwisch 2009, section 5.1.3).
+struct FittedLength {
+  continuum::LengthOfFraction length;
+  bool at_bound = false;  ///< the best n_div lies beyond its bounds
+};
+
+/// Fitted to local lengths of powder no denser than the peak. n_div is at most `bulk`, as powder at rest does
+/// not flow sideways, and at least so large that B at the peak is no more than `slit` (m): nothing flows in
+/// from farther than the stream is wide. B_0 is the best one for the n_div that these bounds leave.
+FittedLength fit_rising_branch(const std::vector<continuum::LengthPoint>& points, double bulk, double slit);
 
 /// m, height of the highest row at which the mean fraction above the slit (|x| < D/2) is `share` below that
 /// of the rows from 40 mm on (D02); NaN where there is none.

@@ -18,7 +18,7 @@ namespace diefill::process::laboratory {
 namespace {
 
 constexpr double kWallRadius = 1.5e-4;     // m, R_w (Bierwisch 2009, Table C.5)
-constexpr double kWallSpacing = 2.4;       // over R_w; coarse grains do with less than 1.6
+constexpr double kWallSpacing = 1.6;       // over R_w
 constexpr double kBelow = -20e-3;          // m, below which grains are taken out
 constexpr double kGateSpeed = 5;           // m/s, at which the gate falls: far ahead of the powder
 constexpr double kBurn = 0.1;              // s of flow on Earth before fields are taken
@@ -141,6 +141,7 @@ class Flow {
     fields_.bulk_fraction = bulk_solid_fraction(powder, measure_solid_fraction(powder, tools_, {}));
     volume_ = simulation.shape_of(0).solid_volume / (fields_.bulk_fraction * setup.depth);
     level_ = static_cast<double>(fields_.grains) * volume_ / setup.width;
+    sunk_ = grains_below_slit(powder);
   }
 
   HopperFields run(const std::function<void(double)>& on_progress) {
@@ -172,17 +173,14 @@ class Flow {
   }
   double seconds() const { return simulation_.time() - opened_; }
   /// m^2 of bulk powder that have passed z = 0.
-  double discharged() const {
-    std::size_t above = 0;
-    const auto& grains = simulation_.grains();
-    for (std::size_t k = 0; k < grains.size(); ++k) above += grains.position[k].z() > 0;
-    return static_cast<double>(fields_.grains - above) * volume_;
-  }
+  double discharged() const { return passed_ * volume_; }
   double level() const { return level_ - discharged() / setup_.width; }
   void advance(double time) {
     const double until = simulation_.time() + time;
     while (simulation_.time() < until) simulation_.step();
     simulation_.remove_grains([](const Eigen::Vector3d& place) { return place.z() < kBelow; });
+    const auto taken_out = static_cast<double>(fields_.grains - simulation_.grains().size());
+    passed_ = taken_out + grains_below_slit(state()) - sunk_;
   }
   void sample() {
     const auto powder = state();
@@ -204,10 +202,24 @@ class Flow {
   continuum::HopperGrid grid_;
   FieldMean vertical_, horizontal_, fraction_;
   double opened_, volume_ = 0, level_ = 0;
+  double sunk_ = 0, passed_ = 0;  // grains: between the gate's spheres, and since the slit opened
   HopperFields fields_;
 };
 
 }  // namespace
+
+double grains_below_slit(const results::PowderState& powder) {
+  const auto centres = powder.sphere_centres();
+  const auto radii = powder.radii_of_spheres();
+  double below = 0, all = 0;
+  for (std::size_t k = 0; k < centres.size(); ++k) {
+    // A cap of height h of a sphere: pi h^2 (R - h / 3). The factor pi cancels.
+    const double h = std::clamp(radii[k] - centres[k].z(), 0.0, 2 * radii[k]);
+    below += h * h * (radii[k] - h / 3);
+    all += 4.0 / 3 * radii[k] * radii[k] * radii[k];
+  }
+  return all > 0 ? below / all * static_cast<double>(powder.position.size()) : 0;
+}
 
 HopperFields run_hopper(const HopperSetup& setup, const std::function<void(double)>& on_progress) {
   const Scene scene = scene_of(setup);

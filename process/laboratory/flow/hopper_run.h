@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "process/continuum/kinematic_model.h"
+#include "process/results/fill_result.h"
 #include "process/scene/scene.h"
 
 namespace diefill::process::laboratory {
@@ -38,13 +39,17 @@ struct HopperFields {
   double bulk_fraction = 0;    ///< of the settled powder
   double flowing_seconds = 0;  ///< s, that fields were taken for
   std::size_t samples = 0, grains = 0;
-  /// s since the opening, and m^2 of bulk powder over the period that has passed z = 0 by then.
+  /// s since the opening, and m^2 of bulk powder over the period that has passed z = 0 by then, by the volume
+  /// of the spheres' parts below it.
   std::vector<double> time, discharged;
 
   double at(const std::vector<double>& field, int column, int row) const {
     return field[static_cast<std::size_t>(row) * grid.columns + column];
   }
 };
+
+/// How many grains' worth of spheres lies below z = 0, with the parts of spheres that reach below it.
+double grains_below_slit(const results::PowderState& powder);
 
 /// Settles the powder above the closed slit, opens it at once, and takes fields every 0.5 ms (solid fractions
 /// every 4 ms) between the two levels, not before 0.1 s sqrt(9.81 m/s^2 / g). `on_progress` receives the

@@ -88,7 +88,7 @@ results::ExperimentChart chart_of(const std::vector<HopperSetup>& setups,
                                   const continuum::DischargeFit& fit) {
   results::ExperimentChart chart;
   chart.name = "hopper_transient";
-  chart.title = "Powder run out since the slit opened";
+  chart.title = "Discharged mass since the slit opened";
   chart.subtitle = "Hopper, model D, friction 0.5, no cohesion (Bierwisch 2009, section 5.2.1)";
   chart.x = {.label = "t sqrt(g/D)", .lower = 0};
   chart.y = {.label = "Mass over rho b D^2", .lower = 0};

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 
 #include "process/laboratory/published/csv_fields.h"
 #include "process/laboratory/published/scene_experiment.h"
+#include "process/results/formatted.h"
 #include "process/results/rounding.h"
 
 namespace diefill::process::laboratory {
@@ -24,9 +24,7 @@ std::string in_cell(std::string text) {
 }
 
 std::string digits(double value, const char* format) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
+  return results::formatted(format, value);
 }
 
 struct Measured {
@@ -48,6 +46,20 @@ bool is_scene_experiment(const std::string& name) {
   return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
 }
 
+/// Size and seeds, how the value was had, and what was measured where that is not the published quantity
+/// itself, such as the deviation of spheres other than the source's.
+std::string note_of(const PublishedFigure& figure, const Measured& measured) {
+  const results::LabRow& row = *measured.row;
+  if (row.values.empty()) return row.reason;
+  const bool calculated =
+      row.values.size() == 1 && row.core_seconds == 0 && !std::isfinite(row.grain_diameter);
+  if (calculated) return "calculated, without a bed";
+  std::string note = measured.table->size + ", " + std::to_string(row.values.size()) + " seed" +
+                     (row.values.size() > 1 ? "s" : "");
+  if (!row.quantity.empty() && row.quantity != figure.quantity) note += "; " + row.quantity;
+  return note + (row.reason.empty() ? "" : "; " + row.reason);
+}
+
 Line line_of(const PublishedFigure& figure, const Measured& measured) {
   Line line;
   if (figure.kind == "input") {
@@ -61,17 +73,10 @@ Line line_of(const PublishedFigure& figure, const Measured& measured) {
   } else {
     line.here = results::here_text(*measured.row);
     line.verdict = measured.row->verdict;
-    line.note = measured.row->reason;
+    line.note = note_of(figure, measured);
     if (std::isfinite(measured.row->grain_diameter))
       line.diameter = digits(1e3 * measured.row->grain_diameter, "%.3g");
     line.seconds = digits(measured.row->core_seconds, "%.0f");
-    const bool calculated = measured.row->values.size() == 1 && measured.row->core_seconds == 0 &&
-                            !std::isfinite(measured.row->grain_diameter);
-    if (calculated)
-      line.note = "calculated, without a bed";
-    else if (!measured.row->values.empty())
-      line.note = measured.table->size + ", " + std::to_string(measured.row->values.size()) + " seed" +
-                  (measured.row->values.size() > 1 ? "s" : "") + (line.note.empty() ? "" : "; " + line.note);
   }
   return line;
 }

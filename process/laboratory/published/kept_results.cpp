@@ -45,6 +45,17 @@ bool is_kept(const std::vector<KeptResult>& kept, const std::string& id) {
   return std::any_of(kept.begin(), kept.end(), [&](const KeptResult& one) { return one.row.id == id; });
 }
 
+/// What the experiment calls the quantity, which the file of kept results does not hold: that of its present
+/// table of the same size, whether it has a value there or not.
+std::string quantity_in(const std::vector<results::LabTable>& measured, const KeptResult& kept) {
+  for (const auto& table : measured) {
+    if (table.size != kept.size) continue;
+    for (const auto& row : table.rows)
+      if (row.id == kept.row.id && !row.quantity.empty()) return row.quantity;
+  }
+  return kept.row.quantity;
+}
+
 bool replaces(const results::LabRow& row, const std::string& size, const KeptResult& earlier) {
   if (row.values.empty()) return earlier.row.values.empty();
   return earlier.row.values.empty() || fineness(size) >= fineness(earlier.size);
@@ -95,8 +106,11 @@ std::vector<results::LabTable> tables_with_kept(const std::vector<KeptResult>& k
   for (const std::string& size : kSizes) {
     results::LabTable table;
     table.size = size;
-    for (const auto& one : kept)
-      if (one.size == size) table.rows.push_back(one.row);
+    for (const auto& one : kept) {
+      if (one.size != size) continue;
+      table.rows.push_back(one.row);
+      table.rows.back().quantity = quantity_in(measured, one);
+    }
     tables.push_back(std::move(table));
   }
   for (auto& table : measured) {

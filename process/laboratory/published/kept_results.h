@@ -32,7 +32,8 @@ void take_over(std::vector<KeptResult>& kept, const std::vector<results::LabTabl
 /// The file's text: id, size, values of the seeds in the unit of the figure, d in mm, core seconds, reason.
 std::string csv_of(const std::vector<KeptResult>& kept);
 
-/// The tables of the page: kept ones, coarse ones first, then what `measured` has besides.
+/// The tables of the page: kept ones, coarse ones first, with the names that `measured` of the same size has
+/// for their quantities, then what `measured` has besides.
 std::vector<results::LabTable> tables_with_kept(const std::vector<KeptResult>& kept,
                                                 std::vector<results::LabTable> measured);
 

@@ -3,9 +3,9 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 
+#include "process/results/formatted.h"
 #include "process/scene/powder_file.h"
 #include "process/scene/powder_presets.h"
 #include "process/scene/scene_text.h"
@@ -50,6 +50,7 @@ SceneChanges powder_changes(const std::filesystem::path& file) {
     return changes;
   }
   merge_powder_file(document, file);
+  make_spheres_file_absolute(document, file);
   if (toml::table* powder = document["powder"].as_table()) powder->erase("grain_diameter");
   for (const char* name : kTables) {
     changes.without.emplace_back(name);
@@ -72,10 +73,11 @@ bool has_own_powder(const LabSetting& setting) {
 }
 
 bool takes_own_powder(const LabPlan& plan) {
-  return std::all_of(plan.runs.begin(), plan.runs.end(), [](const LabRun& run) {
+  const auto takes_it = [](const LabRun& run) {
     const auto& without = run.changes.without;
     return std::find(without.begin(), without.end(), kTables[0]) != without.end();
-  });
+  };
+  return !plan.runs.empty() && std::all_of(plan.runs.begin(), plan.runs.end(), takes_it);
 }
 
 LabPowder lab_powder(const LabSetting& setting, const std::string& preset, double scale) {
@@ -101,9 +103,7 @@ std::string bounded_settling(const LabPowder& powder) {
 }
 
 std::string plain(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
+  return results::formatted("%.10g", value);
 }
 
 std::string with_unit(double value, const char* unit) {

@@ -26,7 +26,7 @@ std::string bounded_settling(const LabPowder& powder);
 /// Whether the setting has a powder of its own, so that an experiment over several presets has one.
 bool has_own_powder(const LabSetting& setting);
 
-/// Whether all runs of a plan for such a setting take that powder.
+/// Whether a plan for such a setting has runs of scenes and all of them take that powder.
 bool takes_own_powder(const LabPlan& plan);
 
 /// "1.88 mm" in quotes, as scenes have lengths; a point of three lengths.

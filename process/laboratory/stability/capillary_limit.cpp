@@ -80,7 +80,7 @@ void find_capillary_limit(const ExperimentOptions& options, results::ExperimentR
       "0.05 N/m, 5 % liquid, spheres of 0.15 mm radius that part at 1.5 times the speed of escape";
   chart.note = "Steps of 0.1 us. Exact: without a smallest gap.";
   chart.x = {.label = "Smallest gap [um]", .logarithmic = true};
-  chart.y = {.label = "Work to part over the exact one"};
+  chart.y = {.label = "Work of separation over the exact value"};
   ExperimentSeries measured{.name = "measured", .x = {}, .y = {}};
   ExperimentSeries theory{.name = "integral of the force", .role = Role::predicted, .x = {}, .y = {}};
   const double exact = work_of_bridge(1e-12);

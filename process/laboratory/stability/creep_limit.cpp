@@ -115,7 +115,7 @@ void find_creep_limit(const ExperimentOptions& options, results::ExperimentResul
       "Torque: Bierwisch's dynamic one against each sphere's spin, at most what stops it in a step. Spring: "
       "EPSD2.";
   chart.x = {.label = "Time [s]", .logarithmic = true};
-  chart.y = {.label = "Height of the middle over its first"};
+  chart.y = {.label = "Height of the centre of mass over its initial value"};
   const std::vector<std::pair<Rolling, std::string>> cases = {{Rolling::none, "no rolling resistance"},
                                                               {Rolling::weak_torque, "torque, 0.25 R"},
                                                               {Rolling::torque, "torque, 2.5 R (B1)"},

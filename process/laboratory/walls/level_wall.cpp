@@ -1,9 +1,9 @@
 #include "process/laboratory/walls/level_wall.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "engine/limits/time_step.h"
+#include "process/results/formatted.h"
 
 namespace diefill::process::laboratory {
 
@@ -48,9 +48,7 @@ engine::SimulationSettings single_sphere(double damping_over_radius, double fric
 }
 
 std::string description(double radius_ratio) {
-  char text[30];
-  std::snprintf(text, sizeof text, "R_w = %.3g R", radius_ratio);
-  return text;
+  return results::formatted("R_w = %.3g R", radius_ratio);
 }
 
 }  // namespace diefill::process::laboratory

@@ -198,21 +198,19 @@ results::Field2D fill_level_map(const results::FillResult& result) {
   return map;
 }
 
-results::Profile fill_level_along_travel(const results::FillResult& result) {
-  const results::Field2D map = fill_level_map(result);
-  const auto& cavity = result.cavity;
+results::Profile fill_level_along_travel(const results::Field2D& level, const results::CavityState& cavity) {
   const bool over_first = axes_of(BoxView::kSide, cavity).first == 0;
-  const std::vector<double>&along = over_first ? map.first : map.second,
-        &across = over_first ? map.second : map.first;
+  const std::vector<double>&along = over_first ? level.first : level.second,
+        &across = over_first ? level.second : level.first;
   results::Profile profile{"fill level", "mm", "distance along the shoe's travel", "mm", {}, {}};
   for (std::size_t n = 0; n < along.size(); ++n) {
     double sum = 0, count = 0;
     bool powder = false;
     for (std::size_t m = 0; m < across.size(); ++m) {
-      const double level = map.value[over_first ? m * along.size() + n : n * across.size() + m];
-      if (results::is_inside_tool(level)) continue;
-      powder = powder || !std::isnan(level);
-      sum += std::isnan(level) ? 0 : level;  // no powder here: the floor
+      const double here = level.value[over_first ? m * along.size() + n : n * across.size() + m];
+      if (results::is_inside_tool(here)) continue;
+      powder = powder || !std::isnan(here);
+      sum += std::isnan(here) ? 0 : here;  // no powder here: the floor
       ++count;
     }
     profile.x.push_back(along[n] - along.front());
@@ -221,6 +219,10 @@ results::Profile fill_level_along_travel(const results::FillResult& result) {
   // The shoe arrives at the end towards which azimuth zero points.
   if (cavity.azimuth_zero[over_first ? 0 : 1] > 0) std::reverse(profile.y.begin(), profile.y.end());
   return profile;
+}
+
+results::Profile fill_level_along_travel(const results::FillResult& result) {
+  return fill_level_along_travel(fill_level_map(result), result.cavity);
 }
 
 }  // namespace diefill::process

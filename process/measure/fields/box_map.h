@@ -26,7 +26,8 @@ results::Field2D fill_level_map(const results::FillResult& result);
 /// Mean of fill_level_map across the shoe's travel, over the distance (mm) along it from the end of the
 /// cavity's box where the shoe first arrives: of cavities that are no rings, what measure.h's fill_level is
 /// of rings. Places without powder count as the floor; NaN where there is none across. Travel between x and y
-/// counts as along the nearer.
+/// counts as along the nearer. `level`: the map of the result whose cavity it is.
+results::Profile fill_level_along_travel(const results::Field2D& level, const results::CavityState& cavity);
 results::Profile fill_level_along_travel(const results::FillResult& result);
 
 }  // namespace diefill::process

@@ -68,7 +68,7 @@ void measure_fields(results::FillResult& result, const FieldRequest& request, in
   } else if (result.cavity.volume > 0) {
     result.maps.push_back(box_map(result, BoxView::kPlan, width));
     result.maps.push_back(fill_level_map(result));
-    result.profiles.push_back(fill_level_along_travel(result));
+    result.profiles.push_back(fill_level_along_travel(result.maps.back(), result.cavity));
     result.profiles.push_back(height_profile(box_map(result, BoxView::kSide, width)));
   }
   auto planes = request.sections;

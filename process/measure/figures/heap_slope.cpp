@@ -3,60 +3,77 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
-#include <vector>
-
-#include "process/measure/figures/line_fit.h"
 
 namespace diefill::process {
 namespace {
 
-constexpr double kColumn = 2;    // d
-constexpr double kMiddle = 0.6;  // of the columns, the rest are toe and top
-constexpr std::size_t kMin = 3;  // columns that make a slope
+constexpr double kColumn = 2;                  // d
+constexpr double kLeast = 2;                   // d above the floor, where the slope begins
+constexpr double kToe = 0.2, kShoulder = 0.8;  // of the heap's height, ends of the slope
+constexpr std::size_t kMin = 3;                // points that make a slope
 
-/// One column's middle and the highest grain centre in it, m.
-struct Top {
-  double x = 0, z = 0;
-};
-
-std::vector<Top> surface(const results::PowderState& powder, const Eigen::Vector3d& from,
-                         const Eigen::Vector3d& to) {
+/// Middles of columns and the highest grain centre in each, where there are grains.
+HeapSurface surface_of(const results::PowderState& powder, const Eigen::Vector3d& from,
+                       const Eigen::Vector3d& to) {
   const double width = kColumn * powder.grain_diameter;
   const auto columns = static_cast<std::size_t>(std::max(1.0, std::ceil((to[0] - from[0]) / width)));
-  std::vector<double> highest(columns, from[2]);
+  constexpr double kEmpty = -std::numeric_limits<double>::infinity();
+  std::vector<double> highest(columns, kEmpty);
   for (const Eigen::Vector3d& place : powder.position) {
     if ((place.array() < from.array()).any() || (place.array() > to.array()).any()) continue;
     const auto column = std::min(static_cast<std::size_t>((place[0] - from[0]) / width), columns - 1);
     highest[column] = std::max(highest[column], place[2]);
   }
-  std::vector<Top> tops;
+  HeapSurface surface;
   for (std::size_t k = 0; k < columns; ++k)
-    if (highest[k] - from[2] >= kColumn * powder.grain_diameter)
-      tops.push_back({from[0] + (static_cast<double>(k) + 0.5) * width, highest[k]});
-  return tops;
+    if (highest[k] > kEmpty)
+      surface.emplace_back(from[0] + (static_cast<double>(k) + 0.5) * width, highest[k]);
+  return surface;
 }
 
-/// dz/dx of the line of least squares.
-double gradient(const std::vector<Top>& tops) {
+FittedLine line_through(const HeapSurface& points) {
   std::vector<double> x, z;
-  for (const Top& top : tops) {
-    x.push_back(top.x);
-    z.push_back(top.z);
+  for (const auto& [place, height] : points) {
+    x.push_back(place);
+    z.push_back(height);
   }
-  return fit_line(x, z).slope;
+  return fit_line(x, z);
+}
+
+/// Where the surface is at height `z`, between two of its points.
+std::pair<double, double> crossing(const std::pair<double, double>& one,
+                                   const std::pair<double, double>& other, double z) {
+  const double share = (z - one.second) / (other.second - one.second);
+  return {one.first + share * (other.first - one.first), z};
 }
 
 }  // namespace
 
+FittedLine line_of_slope(HeapSurface surface, double floor, double least) {
+  if (surface.empty()) return {};
+  if (line_through(surface).slope < 0) std::reverse(surface.begin(), surface.end());  // from the toe up
+  double height = 0;
+  for (const auto& point : surface) height = std::max(height, point.second - floor);
+  const double low = floor + std::max(least, kToe * height), high = floor + kShoulder * height;
+  const auto top = std::find_if(surface.begin(), surface.end(),
+                                [high](const auto& point) { return point.second >= high; });
+  if (low >= high || top == surface.begin()) return {};
+  auto foot = top;
+  while (foot != surface.begin() && std::prev(foot)->second > low) --foot;
+  HeapSurface slope(foot, top);
+  if (foot != surface.begin()) slope.insert(slope.begin(), crossing(*std::prev(foot), *foot, low));
+  slope.push_back(crossing(*std::prev(top), *top, high));
+  return slope.size() < kMin ? FittedLine{} : line_through(slope);
+}
+
 double heap_slope(const results::PowderState& powder, const Eigen::Vector3d& from,
                   const Eigen::Vector3d& to) {
-  std::vector<Top> tops = surface(powder, from, to);
-  const auto cut = static_cast<std::ptrdiff_t>(0.5 * (1 - kMiddle) * static_cast<double>(tops.size()));
-  tops = {tops.begin() + cut, tops.end() - cut};
-  if (tops.size() < kMin) return std::numeric_limits<double>::quiet_NaN();
-  return std::atan(std::abs(gradient(tops))) * 180 / std::numbers::pi;
+  const FittedLine line =
+      line_of_slope(surface_of(powder, from, to), from[2], kLeast * powder.grain_diameter);
+  return std::atan(std::abs(line.slope)) * 180 / std::numbers::pi;
 }
 
 std::string heap_figure(const std::string& name) {

@@ -92,6 +92,9 @@ Json entry(const Screening& screening) {
     one["effects"] = Json::object();
     for (const ScreenedEffect& effect : screening.effects)
       one["effects"][effect.string] = json_number(effect.values[q]);
+    one["regression_coefficients"] = {{"mean", json_number(quantity.mean)}};
+    for (const RegressionTerm& term : quantity.regression)
+      one["regression_coefficients"][term.letters] = json_number(term.coefficient);
     json["quantities"].push_back(one);
   }
   return json;

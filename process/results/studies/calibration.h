@@ -72,12 +72,19 @@ struct ScreenedEffect {
   std::vector<double> values;  ///< one for each screened quantity, in its unit
 };
 
+/// A term of a regression over levels of -1 and 1: half an effect.
+struct RegressionTerm {
+  std::string letters;  ///< of a factor or a pair, such as "A" or "AB"
+  double coefficient = 0;
+};
+
 /// A quantity of a screening.
 struct ScreenedQuantity {
   std::string name, unit;
   double mean = 0, error = 0,
          margin = 0;  ///< standard error and 95 % half width of an effect; NaN: not known
-  double error_without = 0, error_with = 0;  ///< percent, of the regression without and with interactions
+  double error_without = 0, error_with = 0;     ///< percent, of the regression without and with interactions
+  std::vector<RegressionTerm> regression = {};  ///< besides the mean, which is its constant
 };
 
 struct Screening {
@@ -86,6 +93,7 @@ struct Screening {
   std::string error_source;  ///< where standard errors come from, as text
   std::vector<ScreenedQuantity> quantities;
   std::vector<ScreenedEffect> effects;
+  std::vector<std::string> remarks = {};  ///< which quantities have no effects, and why
 };
 
 struct Calibration {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "process/results/csv_field.h"
+#include "process/results/formatted.h"
 #include "process/results/json_numbers.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/result_file.h"
@@ -17,9 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string short_number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
+  return results::formatted("%.4g", value);
 }
 
 Json json_of(const LabRow& row) {

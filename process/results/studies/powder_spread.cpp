@@ -26,6 +26,7 @@ Json entry(const SpreadFigure& figure) {
           {"powders_mean", json_number(figure.mean)},
           {"spread_over_powders", json_number(figure.spread)},
           {"share_of_the_powder", json_number(figure.powder)},
+          {"told_apart_from_seeds", figure.told_apart},
           {"of_seeds", json_numbers(figure.of_seeds)},
           {"of_powders", json_numbers(figure.of_powders)}};
 }
@@ -49,12 +50,12 @@ std::string json_of(const PowderSpread& spread) {
 std::string csv_of(const PowderSpread& spread) {
   std::string text =
       "figure,unit,best powder,scatter over seeds,mean over powders,spread over powders,share of the "
-      "powder\n";
+      "powder,told apart from seeds\n";
   for (const auto& figure : spread.figures) {
     text += csv_text(figure.name) + ',' + csv_text(figure.unit);
     for (const double value : {figure.best, figure.scatter, figure.mean, figure.spread, figure.powder})
       text += ',' + csv_number(value, 6);
-    text += '\n';
+    text += figure.told_apart ? ",yes\n" : ",no\n";
   }
   return text;
 }
@@ -63,8 +64,11 @@ std::string csv_of(const PowderSpread& spread) {
 
 std::string spread_text(const SpreadFigure& figure) {
   const std::string unit = unit_behind(figure.unit);
-  return figure.name + ' ' + number(figure.mean, 4) + unit + ": +-" + number(figure.powder, 2) + unit +
-         " by the powder, +-" + number(figure.scatter, 2) + unit + " over seeds";
+  const std::string seeds = "+-" + number(figure.scatter, 2) + unit + " over seeds",
+                    start = figure.name + ' ' + number(figure.mean, 4) + unit + ": ";
+  if (!std::isfinite(figure.powder) || figure.told_apart)
+    return start + "+-" + number(figure.powder, 2) + unit + " by the powder, " + seeds;
+  return start + seeds + "; what is by the powder is not told apart from seeds";
 }
 
 void write_powder_spread(const std::filesystem::path& directory, const PowderSpread& spread) {

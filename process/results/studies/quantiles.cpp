@@ -1,6 +1,7 @@
 #include "process/results/studies/quantiles.h"
 
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
@@ -16,6 +17,10 @@ double normal_quantile(double probability) {
 
 double chi_squared_exceeded(double freedom, double probability) {
   return boost::math::quantile(boost::math::complement(boost::math::chi_squared(freedom), probability));
+}
+
+double variance_ratio_exceeded(double above, double below, double probability) {
+  return boost::math::quantile(boost::math::complement(boost::math::fisher_f(above, below), probability));
 }
 
 }  // namespace diefill::results

@@ -15,4 +15,8 @@ double normal_quantile(double probability);
 /// The chi^2 with `freedom` degrees of freedom that chance exceeds with `probability` (above 0, below 1).
 double chi_squared_exceeded(double freedom, double probability);
 
+/// The ratio of two variances, estimated with `above` and `below` degrees of freedom, that chance exceeds
+/// with `probability` (above 0, below 1) where the variances are equal (Fisher's F).
+double variance_ratio_exceeded(double above, double below, double probability);
+
 }  // namespace diefill::results

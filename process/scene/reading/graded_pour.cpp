@@ -2,8 +2,7 @@
 
 #include <toml++/toml.h>
 
-#include <cstdio>
-
+#include "process/results/formatted.h"
 #include "process/scene/reading/sections.h"
 #include "process/scene/setting.h"
 
@@ -50,9 +49,7 @@ double height_of(TableReader& pour, bool has_setting) {
 }
 
 std::string metres(double length) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g m", length);
-  return text;
+  return results::formatted("%.17g m", length);
 }
 
 /// [powder] again, with larger grains.

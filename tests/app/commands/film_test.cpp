@@ -106,6 +106,9 @@ TEST(Film, RefusesWhatItCannotShow) {
   const Outcome still = run_program({"film", out});
   EXPECT_EQ(still.exit_code, 2);
   EXPECT_NE(still.err.find("measure.snapshot_interval"), std::string::npos) << still.err;
+  const auto above = die.folder() / "films";
+  EXPECT_EQ(run_program({"film", out, "--out", (above / "deep/still.mp4").string()}).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(above));
   const Outcome many = run_program({"film", out, out, out, out, out});
   EXPECT_EQ(many.exit_code, 2);
   EXPECT_NE(many.err.find("found 5 directories"), std::string::npos) << many.err;

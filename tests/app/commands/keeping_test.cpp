@@ -60,14 +60,17 @@ TEST_F(Keeping, ASecondRunIntoADirectoryIsRefusedInOneLineAndTouchesNothing) {
 TEST_F(Keeping, ARunAnewKeepsTheEarlierResultsAside) {
   ASSERT_EQ(die_.run({"--quiet"}).exit_code, 0);
   const std::string before = contents(die_.out() / "results.h5"), state_before = state();
+  const auto files_before = SmallDie::files_in(die_.out());
+  die_.write("out/photo.png", "photo");
   die_.exchange("seed = 1", "seed = 2");
   const Outcome outcome = die_.run({"--quiet"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("were moved to " + (die_.out() / "previous-1").string()), std::string::npos)
       << outcome.err;
   EXPECT_TRUE(contents(die_.out() / "previous-1/results.h5") == before);
-  EXPECT_TRUE(fs::exists(die_.out() / "previous-1/report.json"));
+  EXPECT_EQ(SmallDie::files_in(die_.out() / "previous-1"), files_before);
   EXPECT_TRUE(fs::exists(die_.out() / "previous-1/snapshot.png"));
+  EXPECT_EQ(contents(die_.out() / "photo.png"), "photo");
   EXPECT_NE(state(), state_before);
 }
 

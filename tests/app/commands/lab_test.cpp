@@ -41,6 +41,22 @@ TEST(Lab, AnUnknownExperimentEndsInOneLineWithTheNearest) {
   EXPECT_NE(outcome.err.find("did you mean \"rotation\"?"), std::string::npos) << outcome.err;
 }
 
+TEST(Lab, WithoutPublishedFiguresNothingIsComputed) {
+  const support::TemporaryFolder folder;
+  const auto out = folder.path() / "out";
+  const std::vector<std::pair<std::string, std::string>> compared = {{"flow", "hopper"},
+                                                                     {"stability", "cavity"}};
+  for (const auto& [family, name] : compared) {
+    const Outcome outcome = run_program(
+        {"lab", family, name, "--quick", "--scenes", folder.path().string(), "--out", out.string()});
+    EXPECT_EQ(outcome.exit_code, 2) << family;
+    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+    for (const char* part : {"published_figures.csv: cannot be read", "--scenes"})
+      EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(out)) << family;
+  }
+}
+
 TEST(Lab, ThePathOfAPowderMayHoldQuotesAndBackslashes) {
   for (const std::string name : {"a\"b.toml", "a\\tb.toml"}) {
     const support::TemporaryFolder folder;

@@ -1,6 +1,8 @@
 // `diefill new`: scenes to start from, and copies of scenes with changes.
 #include <gtest/gtest.h>
 
+#include "process/input/shell_word.h"
+#include "project_paths.h"
 #include "tests/app/small_die.h"
 
 namespace diefill::app {
@@ -21,6 +23,15 @@ TEST_P(NewKinds, WritesACommentedSceneWithToolsThatCanBeRead) {
 }
 
 INSTANTIATE_TEST_SUITE_P(New, NewKinds, testing::Values("rectangular_die", "ring", "gear"));
+
+TEST(New, PrintsACommandThatAShellTakes) {
+  const support::TemporaryFolder folder;
+  const std::string die = (folder.path() / "my die").string();
+  const Outcome outcome = run_program({"new", die});
+  // The program was started by its path, so that path stands in the command.
+  const std::string command = process::shell_word(DIEFILL_PROGRAM) + " run '" + die + "/fill.toml'\n";
+  EXPECT_TRUE(outcome.out.ends_with("run it with: " + command)) << outcome.out;
+}
 
 TEST(New, OverwritesNothing) {
   const support::TemporaryFolder folder;

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "project_paths.h"
-#include "tests/app/small_die.h"
+#include "tests/app/commands/variants.h"
 
 namespace diefill::app {
 namespace {
@@ -92,6 +92,22 @@ powder.grain_diameter = "1.2 mm"
   EXPECT_GT(quick[2].at("shared_s").get<double>(), 0);
   const Outcome base = run_program({"plan", die.scene().string(), "--no-benchmark"});
   EXPECT_NE(base.out.find("diefill plan --variants"), std::string::npos) << base.out;
+}
+
+TEST(Plan, EstimatesEachVariant) {
+  const SmallDie die;
+  add_variants(die);
+  const auto variants = plan(die, {"--variants", "--no-benchmark"}).at("variants");
+  ASSERT_EQ(variants.size(), 2U);
+  const auto& quick = variants[0].at("estimate");
+  EXPECT_GT(quick.at("share_filled").get<double>(), 0);
+  EXPECT_NEAR(quick.at("shoe_speed_m_per_s").get<double>(), 0.2, 0.01);
+  EXPECT_EQ(quick.at("crossings"), 1);
+  EXPECT_EQ(variants[1].at("estimate").at("answer"), "nothing to fill");
+  const Outcome table = run_program({"plan", die.scene().string(), "--variants", "--no-benchmark"});
+  ASSERT_EQ(table.exit_code, 0) << table.err;
+  for (const char* part : {"estimate without simulation:", "critical, m/s", "\nstays  "})
+    EXPECT_NE(table.out.find(part), std::string::npos) << part << "\n" << table.out;
 }
 
 TEST(Plan, WrongInputEndsInOneLine) {

@@ -170,5 +170,28 @@ TEST(Resume, RefusesACheckpointOfOtherCadFiles) {
   EXPECT_NE(outcome.err.find("different CAD files"), std::string::npos) << outcome.err;
 }
 
+TEST(Resume, RefusesInputsThatWereEditedWhileTheRunWasGoing) {
+  const SmallDie die;
+  die.exchange_passage("[[step]]\nkind = \"table\"\ntool = \"shoe\"\nfile = \"m.csv\"\n");
+  const std::string table = "time s,x mm\n0,0\n0.05,-8\n", edited = "time s,x mm\n0,0\n0.04,-8\n";
+  die.write("m.csv", table);
+  Program program(die.run_arguments());
+  ASSERT_TRUE(wait_until(program, [&] { return std::filesystem::exists(die.out() / "checkpoint.inputs"); }));
+  die.write("m.csv", edited);
+  pause_for(50);
+  program.send(SIGINT);
+  ASSERT_EQ(program.wait().exit_code, 130);
+  const Outcome refused = die.run({"--resume"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.complaints(), 1U) << refused.err;
+  for (const char* part : {"checkpoint.bin", "different scene: the contents of m.csv have changed"})
+    EXPECT_NE(refused.err.find(part), std::string::npos) << refused.err;
+  // Begun anew it reads the table as it is; at the end there is nothing to resume.
+  ASSERT_EQ(die.run({"--no-pictures", "--quiet"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(die.out() / "previous-1/checkpoint.inputs"));
+  EXPECT_FALSE(std::filesystem::exists(die.out() / "checkpoint.inputs"));
+  EXPECT_EQ(die.run({"--resume", "--quiet"}).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace diefill::app

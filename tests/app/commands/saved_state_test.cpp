@@ -89,6 +89,28 @@ TEST(SavedState, OfAnotherFileIsAnotherComputation) {
   EXPECT_NE(outcome.exit_code, 0) << "went on from a checkpoint of other powder";
 }
 
+TEST(SavedState, OfOtherContentsIsAnotherRunOfAComparison) {
+  const SmallDie die;
+  settle_and_go_on(die, "state = \"settled\"");
+  die.write("scene.toml", contents(die.scene()) + "\n[[variant]]\nname = \"alone\"\n");
+  const auto compared = die.folder() / "compared";
+  const auto compare = [&] {
+    const Outcome outcome = run_program({"compare", die.scene().string(), "--out", compared.string()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.err;
+  };
+  compare();
+  const std::string same = compare();
+  EXPECT_EQ(same.find("renamed"), std::string::npos) << same;
+  auto other = results::read_results(die.folder() / "settled");
+  other.title = "another run";
+  results::write_results(die.folder() / "settled", other);
+  const std::string changed = compare();
+  EXPECT_NE(changed.find("from another pour.state were renamed: alone/seed-1"), std::string::npos) << changed;
+  EXPECT_TRUE(std::filesystem::exists(compared / "alone/seed-1-previous-1/results.h5"));
+  EXPECT_TRUE(std::filesystem::exists(compared / "alone/seed-1/results.h5"));
+}
+
 TEST(SavedState, ThatTheRunWouldMoveAwayIsRefusedAndStays) {
   const SmallDie die;
   settle_and_go_on(die, "state = \"settled\"");

@@ -1,6 +1,8 @@
 // One picture of every kind from a results file alone, with no display.
 #include <algorithm>
+#include <sstream>
 
+#include "process/results/storage/earlier_results.h"
 #include "process/results/storage/result_file.h"
 #include "tests/app/pictures/every_picture.h"
 #include "tests/app/small_die.h"
@@ -18,6 +20,14 @@ std::vector<std::string> kinds() {
   return found;
 }
 
+/// A later run into the directory would move all files that the lines name.
+void expect_known_names(const fs::path& directory, const std::string& lines) {
+  EXPECT_NE(lines, "");
+  std::istringstream stream(lines);
+  for (std::string file; std::getline(stream, file);)
+    EXPECT_TRUE(results::would_be_moved(directory, file)) << file;
+}
+
 TEST_F(EveryPicture, IsMadeWithoutADisplay) {
   const auto all = kinds();
   ASSERT_GE(all.size(), 14U);
@@ -33,6 +43,7 @@ TEST_F(EveryPicture, IsMadeWithoutADisplay) {
     const std::string first = outcome.out.substr(0, outcome.out.find('\n'));
     EXPECT_TRUE(fs::exists(first)) << outcome.out;
     EXPECT_EQ(support::contents(first).substr(1, 3), "PNG");
+    expect_known_names(out(), outcome.out);
   }
   EXPECT_EQ(support::contents(out() / "histogram.pdf").substr(0, 5), "%PDF-");
 }

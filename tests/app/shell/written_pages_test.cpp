@@ -22,23 +22,26 @@ std::string output_of(const std::string& command) {
   return text;
 }
 
-/// What bash offers for the last of `words`.
+/// What bash offers for the last of `words`, in a folder with two files; bars between several.
 std::string completed(const std::string& words) {
   const support::TemporaryFolder folder;
+  folder.write("a scene.toml", "");
   folder.write("complete.bash",
                run_program({"--completion", "bash"}).out + "COMP_WORDS=(diefill " + words +
-                   ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_diefill\necho \"${COMPREPLY[*]}\"\n");
+                   ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_diefill\nIFS='|'\necho \"${COMPREPLY[*]}\"\n");
   return output_of("cd " + folder.path().string() + " && bash complete.bash");
 }
 
 TEST(Completion, BashCompletesCommandsOptionsChoicesAndFiles) {
   EXPECT_EQ(completed("comp"), "compare\n");
   EXPECT_EQ(completed("run --res"), "--resume\n");
-  EXPECT_EQ(completed("new die --kind r"), "rectangular_die ring\n");
+  EXPECT_EQ(completed("new die --kind r"), "rectangular_die|ring\n");
   EXPECT_EQ(completed("lab sil"), "silo\n");
   EXPECT_EQ(completed("lab silo --si"), "--size\n");
   EXPECT_EQ(completed("lab silo --size m"), "medium\n");
   EXPECT_EQ(completed("run comp"), "complete.bash\n");
+  EXPECT_EQ(completed("run a"), "a scene.toml\n");
+  EXPECT_EQ(completed("run x"), "\n");
 }
 
 TEST(Completion, ZshHasAFunctionForEveryCommand) {
@@ -62,6 +65,16 @@ TEST(ManualPage, ListsEveryCommandWithItsOptions) {
   for (const char* heading : {".SS \"diefill run SCENE [OPTIONS]\"", ".SS \"diefill lab silo [OPTIONS]\""})
     EXPECT_NE(page.find(heading), std::string::npos) << heading;
   EXPECT_NE(page.find("\\fB\\-\\-no\\-pictures\\fR"), std::string::npos);
+}
+
+TEST(ManualPage, ExplainsExitCodesAndTheEnvironment) {
+  const std::string page = run_program({"--man"}).out;
+  const std::size_t codes = page.find(".SH \"EXIT STATUS\"\n"), names = page.find(".SH ENVIRONMENT\n");
+  ASSERT_NE(codes, std::string::npos);
+  ASSERT_NE(names, std::string::npos);
+  for (const char* code : {"0", "1", "2", "3", "4", "130"})
+    EXPECT_LT(page.find(std::string(".B ") + code + "\n", codes), names) << code;
+  EXPECT_NE(page.find(".B DIEFILL_PROGRESS_SECONDS\n", names), std::string::npos);
 }
 
 }  // namespace

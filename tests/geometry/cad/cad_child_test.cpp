@@ -14,13 +14,17 @@
 namespace diefill::geometry {
 namespace {
 
-std::string reason_of(const std::function<CadParts()>& read) {
+ChildError error_of(const std::function<CadParts()>& read, const ChildLimits& limits = {1000, 60}) {
   try {
-    read_in_child(read, {1000, 60});
-  } catch (const std::runtime_error& error) {
-    return error.what();
+    read_in_child(read, limits);
+  } catch (const ChildError& error) {
+    return error;
   }
-  return "";
+  throw std::logic_error("it was read");
+}
+
+bool has(const ChildError& error, const std::string& words) {
+  return std::string(error.what()).find(words) != std::string::npos;
 }
 
 TEST(CadChild, HandsOnWhatWasRead) {
@@ -38,66 +42,75 @@ TEST(CadChild, HandsOnWhatWasRead) {
 }
 
 TEST(CadChild, PassesReasonsOn) {
-  EXPECT_EQ(reason_of([]() -> CadParts { throw std::runtime_error("it contains no surface"); }),
-            "it contains no surface");
+  const ChildError error = error_of([]() -> CadParts { throw std::runtime_error("it contains no surface"); });
+  EXPECT_EQ(error.failure, ChildFailure::kRefused);
+  EXPECT_STREQ(error.what(), "it contains no surface");
+}
+
+// The kind of failure does not follow from the words, which may quote the file.
+TEST(CadChild, ReasonsThatReadLikeOtherFailuresAreTheReaders) {
+  for (const char* words : {"entity \"does not terminate\"", "more data than"}) {
+    const ChildError error = error_of([&]() -> CadParts { throw std::runtime_error(words); });
+    EXPECT_EQ(error.failure, ChildFailure::kRefused);
+    EXPECT_STREQ(error.what(), words);
+  }
+}
+
+TEST(CadChild, AReaderThatFailsWithoutWordsGetsSome) {
+  EXPECT_TRUE(has(error_of([]() -> CadParts { throw std::runtime_error(""); }), "without a message"));
+  EXPECT_TRUE(has(error_of([]() -> CadParts { throw 1; }), "without a message"));
 }
 
 TEST(CadChild, SurvivesACrash) {
   for (const int fatal : {SIGSEGV, SIGABRT, SIGFPE}) {
-    const std::string reason = reason_of([&]() -> CadParts {
+    const ChildError error = error_of([&]() -> CadParts {
       std::raise(fatal);
       return {};
     });
-    EXPECT_NE(reason.find("importer crashed"), std::string::npos) << reason;
+    EXPECT_EQ(error.failure, ChildFailure::kCrashed);
+    EXPECT_TRUE(has(error, "importer crashed")) << error.what();
   }
+}
+
+void expect_too_long(const ChildError& error) {
+  EXPECT_EQ(error.failure, ChildFailure::kTooLong);
+  EXPECT_TRUE(has(error, "does not terminate")) << error.what();
 }
 
 TEST(CadChild, EndsOneThatTakesTooLong) {
-  const std::string reason = reason_of([]() -> CadParts {
+  expect_too_long(error_of([]() -> CadParts {
     std::raise(SIGXCPU);  // as the kernel does when the processor time is used up
     return {};
-  });
-  EXPECT_NE(reason.find("does not terminate"), std::string::npos) << reason;
+  }));
 }
 
 TEST(CadChild, EndsOneThatUsesUpItsSeconds) {
-  std::string reason;
-  try {
-    read_in_child(
-        []() -> CadParts {
-          while (std::clock() >= 0) {  // uses up processor time until it is stopped
-          }
-          return {};
-        },
-        {1000, 1});
-  } catch (const std::runtime_error& error) {
-    reason = error.what();
-  }
-  EXPECT_NE(reason.find("does not terminate"), std::string::npos) << reason;
+  expect_too_long(error_of(
+      []() -> CadParts {
+        while (std::clock() >= 0) {  // uses up processor time until it is stopped
+        }
+        return {};
+      },
+      {1000, 1}));
 }
 
 TEST(CadChild, EndsOneThatWaitsForEver) {
-  std::string reason;
-  try {
-    read_in_child(
-        []() -> CadParts {
-          for (;;) ::pause();  // uses no processor time
-        },
-        {0, 1});
-  } catch (const std::runtime_error& error) {
-    reason = error.what();
-  }
-  EXPECT_NE(reason.find("does not terminate"), std::string::npos) << reason;
+  expect_too_long(error_of(
+      []() -> CadParts {
+        for (;;) ::pause();  // uses no processor time
+      },
+      {0, 1}));
 }
 
 #ifndef __SANITIZE_ADDRESS__  // the sanitizers leave no limit on memory
 #ifndef __SANITIZE_THREAD__
 TEST(CadChild, RefusesMoreThanTwoGibibytes) {
-  const std::string reason = reason_of([]() -> CadParts {
+  const ChildError error = error_of([]() -> CadParts {
     const auto greedy = std::make_unique<char[]>(std::size_t{5} << 29);
     return {{{std::string(1, greedy[0]), {}}}, {}, {}};
   });
-  EXPECT_NE(reason.find("more data than"), std::string::npos) << reason;
+  EXPECT_EQ(error.failure, ChildFailure::kTooMuchMemory);
+  EXPECT_TRUE(has(error, "more data than")) << error.what();
 }
 #endif
 #endif

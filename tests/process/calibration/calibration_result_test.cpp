@@ -61,6 +61,7 @@ TEST(CalibrationResult, AScreeningHasItsEffectsAndTheirMargin) {
   account.screening.runs = 4;
   account.screening.quantities.push_back({"mass", "g", 10, 0.1, 0.3, 5, 1});
   account.screening.effects.push_back({"A", "powder.friction", true, {-1.5}});
+  account.screening.quantities[0].regression = {{"A", -0.75}};
   results::write_calibration(folder.path(), account);
   const std::string csv = support::contents(folder.path() / "screening.csv");
   EXPECT_EQ(csv,
@@ -68,6 +69,9 @@ TEST(CalibrationResult, AScreeningHasItsEffectsAndTheirMargin) {
             "margin\",,0.3\n");
   const auto json = nlohmann::json::parse(support::contents(folder.path() / "calibration.json"));
   EXPECT_EQ(json.at("screening").at("quantities").at(0).at("effects").at("A"), -1.5);
+  const auto& coefficients = json.at("screening").at("quantities").at(0).at("regression_coefficients");
+  EXPECT_EQ(coefficients.at("mean"), 10);
+  EXPECT_EQ(coefficients.at("A"), -0.75);
 }
 
 }  // namespace

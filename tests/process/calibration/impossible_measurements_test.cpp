@@ -6,6 +6,7 @@
 
 #include "process/calibration/measurement.h"
 #include "process/input/scene_error.h"
+#include "tests/process/results_sample.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
 
@@ -36,7 +37,6 @@ class Measurements : public testing::Test {
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;
   }
 
- private:
   SceneFolder folder_;
 };
 
@@ -69,6 +69,35 @@ TEST_F(Measurements, WithImpossibleValuesAreRefused) {
       "kind = \"profile\"\nprofile = \"solid fraction\"\nat = [\"1 mm\"]\nvalues = [\"3\"]\ndeviations = "
       "\"0.1\"\n",
       "found values 3, allowed: 0 to 1");
+}
+
+TEST_F(Measurements, OfMoreValuesThanAFitCanTakeAreRefused) {
+  std::string csv = "x [mm], y [mm], solid fraction [1], deviation [1]\n";
+  for (int k = 0; k < 1001; ++k)
+    csv += std::to_string(k % 40) + ", " + std::to_string(k / 40) + ", 0.3, 0.01\n";
+  const std::string map = "kind = \"map\"\nfile = \"m.csv\"\nmap = \"solid fraction\"\n";
+  expect(map,
+         "m.csv: found 1001 values of \"a\", allowed: at most 1000 with use = \"fit\"; average on a coarser "
+         "grid, no finer than the averaging width",
+         csv);
+  // One to fit has to be there; a map for checking may have any number of values.
+  EXPECT_EQ(complaint("figure = \"solid_fraction\"\nvalue = \"0.3\"\ndeviation = \"0.01\"\n[[measurement]]\n"
+                      "name = \"b\"\nscene = \"scene.toml\"\nuse = \"check\"\n" +
+                          map,
+                      csv),
+            "no complaint");
+}
+
+TEST_F(Measurements, OfALevelOverSectorsWithoutPowderAreZeroThere) {
+  const toml::table parsed = toml::parse(
+      "[[measurement]]\nname = \"ring\"\nscene = \"scene.toml\"\nkind = \"profile\"\nprofile = \"fill "
+      "level\"\nat = [\"45 deg\", \"90 deg\", \"135 deg\", \"225 deg\"]\nvalues = [\"1 mm\", \"1 mm\", \"1 "
+      "mm\", \"1 mm\"]\ndeviations = \"1 mm\"\n");
+  TableReader document(parsed, folder_.path() / "calibration.toml", "");
+  const auto measurements = read_measurements(document, {});
+  const results::FillResult result = results::sample_result();  // without a level at 135 degrees
+  const std::vector<double> levels = measurements.at(0).simulated({{"", &result}});
+  EXPECT_EQ(levels, (std::vector<double>{14.5, 7.25, 0, 13.25}));
 }
 
 TEST_F(Measurements, OfProfilesAndMapsThatNoResultHasAreRefused) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
 #include <stdexcept>
@@ -70,6 +71,32 @@ TEST(Region, EdgePointsLieAtBothEndsOfTheValley) {
   }
 }
 
+TEST(Region, EveryTwentiethSampleStandsForAll) {
+  // Twenty walkers: in their order, every twentieth sample would be the slow chain of one.
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const Region region = sample_region(normal_around({0.5, 0.5}, narrow_valley()), 2, seed);
+    std::vector<double> some;
+    for (Eigen::Index k = 0; k < region.samples.rows(); k += 20) some.push_back(region.samples(k, 0));
+    double squares = 0, with_next = 0;
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      squares += std::pow(some[k] - region.mean[0], 2);
+      if (k > 0) with_next += (some[k] - region.mean[0]) * (some[k - 1] - region.mean[0]);
+    }
+    const double variance = squares / static_cast<double>(some.size());
+    EXPECT_NEAR(variance / region.covariance(0, 0), 1, 0.3) << "seed " << seed;
+    EXPECT_NEAR(with_next / squares, 0, 0.25) << "seed " << seed;
+    EXPECT_NEAR(region.log[7], normal_around({0.5, 0.5}, narrow_valley())(region.samples.row(7).transpose()),
+                1e-12);
+  }
+}
+
+TEST(Region, IntervalsHoldTheBestPlaceAtAnEndOfTheRange) {
+  const Region region = sample_region([](const Eigen::VectorXd& at) { return -20 * at[0]; }, 1, 1);
+  EXPECT_LT(region.best[0], 1e-3);
+  EXPECT_LE(region.lower[0], region.best[0]);
+  EXPECT_NEAR(region.upper[0], 0.15, 0.03);  // 95 % of an exponential distribution lie below -ln(0.05) / 20
+}
+
 TEST(Profiles, HoldOneParameterAndLetTheOthersFollow) {
   const auto log = normal_around({0.5, 0.5}, narrow_valley());
   const auto all = profiles([&](const Eigen::VectorXd& at) { return -2 * log(at); }, 2, 11);
@@ -128,6 +155,29 @@ TEST(Likelihood, IsThatOfNormalErrorsWithBothVariances) {
   EXPECT_NEAR(likelihood.log_at(at), -0.5 * (chi + std::log(covariance.determinant() / (0.09 * 0.04))),
               1e-9 * chi);
   EXPECT_NEAR(likelihood.misfit(at), std::pow(off[0] / 0.3, 2) + std::pow(off[1] / 0.2, 2), 1e-9 * chi);
+}
+
+TEST(Likelihood, OfManyQuantitiesOfFewRunsIsThatOfTheirWholeCovariance) {
+  constexpr Eigen::Index kQuantities = 300;
+  const Eigen::MatrixXd places = space_filling(12, 2, 1);
+  Eigen::MatrixXd outputs(places.rows(), kQuantities);
+  for (Eigen::Index q = 0; q < kQuantities; ++q)
+    outputs.col(q) = (places.col(0) * (1 + 0.01 * static_cast<double>(q))).array().sin() +
+                     places.col(1).array() * std::cos(0.1 * static_cast<double>(q));
+  const auto emulator = std::make_shared<Emulator>(places, outputs);
+  const Eigen::VectorXd measured = outputs.row(3).transpose(),
+                        deviation = Eigen::VectorXd::Constant(kQuantities, 0.05);
+  const Likelihood likelihood({{measured, deviation, emulator}});
+  const Eigen::Vector2d at(0.31, 0.62);
+  const auto there = emulator->at(at);
+  Eigen::MatrixXd covariance = there.factor * emulator->covariance();
+  covariance.diagonal().array() += 0.05 * 0.05;
+  const Eigen::VectorXd off = there.mean - measured;
+  const double chi = off.dot(covariance.ldlt().solve(off));
+  EXPECT_NEAR(likelihood.chi_square(at), chi, 1e-6 * chi);
+  EXPECT_NEAR(likelihood.misfit(at), off.squaredNorm() / (0.05 * 0.05), 1e-9 * likelihood.misfit(at));
+  EXPECT_NEAR(likelihood.emulator_share(at),
+              there.factor * emulator->covariance().trace() / (0.05 * 0.05 * kQuantities), 1e-9);
 }
 
 TEST(Likelihood, DeviationsOfZeroAndMissingValuesAreRefused) {
@@ -212,7 +262,7 @@ TEST(Insight, ParametersThatOneMeasurementFixesOnlyTogetherAreNamed) {
   const auto sentences = insights(found.region, {"friction", "adhesion"}, {"discharge"});
   ASSERT_FALSE(sentences.empty());
   const std::string& last = sentences.back();
-  EXPECT_NE(last.find("discharge alone fix friction and adhesion only along a line"), std::string::npos)
+  EXPECT_NE(last.find("discharge alone fixes friction and adhesion only along a line"), std::string::npos)
       << last;
   EXPECT_NE(last.find("more of one makes up for less of the other"), std::string::npos) << last;
   const Found both = search({0.5, 0.5}, 0.05, 0.01, 4, true);
@@ -225,7 +275,26 @@ TEST(Insight, AParameterWithoutInfluenceIsSaidToBeOpen) {
       sample_region([](const Eigen::VectorXd& at) { return -0.5 * std::pow((at[0] - 0.5) / 0.05, 2); }, 2, 1);
   const auto sentences = insights(region, {"friction", "damping"}, {"discharge", "heap"});
   ASSERT_EQ(sentences.size(), 1U);
-  EXPECT_NE(sentences[0].find("say next to nothing about damping"), std::string::npos) << sentences[0];
+  EXPECT_NE(sentences[0].find("discharge and heap together say next to nothing about damping"),
+            std::string::npos)
+      << sentences[0];
+  const std::string alone = insights(region, {"friction", "damping"}, {"discharge"}).front();
+  EXPECT_NE(alone.find("discharge alone says next to nothing"), std::string::npos) << alone;
+}
+
+TEST(Insight, ARangeThatCutsTheRegionOffIsNamed) {
+  // Half of each likelihood lies beyond an end; the third parameter ends well within its range.
+  const Region region = sample_region(
+      [](const Eigen::VectorXd& at) {
+        return -0.5 * (std::pow(at[0] / 0.1, 2) + std::pow((at[1] - 1) / 0.2, 2) +
+                       std::pow((at[2] - 0.12) / 0.03, 2));
+      },
+      3, 1);
+  const auto sentences = insights(region, {"friction", "adhesion", "damping"}, {"discharge", "heap"});
+  ASSERT_EQ(sentences.size(), 2U);
+  EXPECT_NE(sentences[0].find("cut off where the range of friction begins"), std::string::npos)
+      << sentences[0];
+  EXPECT_NE(sentences[1].find("cut off where the range of adhesion ends"), std::string::npos) << sentences[1];
 }
 
 TEST(Insight, TheMeasurementAcrossTheValleyIsWorthMost) {

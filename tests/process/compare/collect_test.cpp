@@ -5,6 +5,7 @@
 
 #include "process/results/storage/result_file.h"
 #include "process/results/studies/job_list.h"
+#include "process/run/input_record.h"
 #include "tests/process/results_sample.h"
 #include "tests/support/temporary_folder.h"
 
@@ -52,6 +53,27 @@ TEST(Collect, TakesEqualResultsOfTwoVariants) {
   fs::remove_all(folder.path() / "fast/seed-1");
   fs::copy(folder.path() / "slow/seed-1", folder.path() / "fast/seed-1", fs::copy_options::recursive);
   for (const auto& run : collect(folder.path()).runs) EXPECT_EQ(run.state, "finished") << run.reason;
+}
+
+TEST(Collect, CountsNoRunThatBeganFromOtherContentsOfTheSameState) {
+  const support::TemporaryFolder folder;
+  finish_jobs_in(folder);
+  const auto began_from = [&](const std::string& job, const std::string& name, const std::string& hash) {
+    auto result = results::read_results(folder.path() / job);
+    add_input_files({{name, hash}}, result);
+    results::write_results(folder.path() / job, result);
+  };
+  began_from("slow/seed-1", "/settled/results.h5", "first");
+  began_from("slow/seed-2", "/settled/results.h5", "first");
+  began_from("fast/seed-1", "/settled/results.h5", "second");
+  began_from("fast/seed-2", "/elsewhere/results.h5", "second");
+  const auto comparison = collect(folder.path());
+  ASSERT_EQ(comparison.runs.size(), 4U);
+  for (const std::size_t same : {0, 1, 3}) EXPECT_EQ(comparison.runs[same].state, "finished") << same;
+  EXPECT_EQ(comparison.runs[2].state, "failed");
+  EXPECT_NE(comparison.runs[2].reason.find("read other contents of /settled/results.h5 than slow/seed-1"),
+            std::string::npos)
+      << comparison.runs[2].reason;
 }
 
 }  // namespace

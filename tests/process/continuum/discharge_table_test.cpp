@@ -65,6 +65,37 @@ TEST_F(DischargeTable, MayBeAFlowProbesFile) {
   EXPECT_NEAR(data.points[1].value, 0.002, 1e-12);
 }
 
+TEST_F(DischargeTable, LeavesOutWhatWasRecordedAfterUntil) {
+  const auto path = file("time s,mass kg\n0,0\n0.1,0.001\n0.2,0.003\n0.3,0.005\n0.4,0.005\n");
+  CommonToAll common = kCommon;
+  common.opened = 0.1;
+  common.until = 0.3;
+  const auto data = read_discharge_table(path, DischargeLaw::transient, common);
+  ASSERT_EQ(data.points.size(), 3U);
+  EXPECT_NEAR(data.points[2].time, 0.2, 1e-12);
+  EXPECT_NEAR(data.points[2].value, 0.004, 1e-12);
+}
+
+TEST_F(DischargeTable, RefusesAnUntilThatLeavesNothing) {
+  const auto path = file("time s,mass kg\n0.1,0.001\n0.2,0.003\n");
+  const auto said = [&](std::optional<double> opened, double until, DischargeLaw law) -> std::string {
+    CommonToAll common = kCommon;
+    common.opened = opened;
+    common.until = until;
+    try {
+      read_discharge_table(law == DischargeLaw::transient ? path : file("speed m/s,mass g\n0.1,3\n"), law,
+                           common);
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(said(0.1, 0.1, DischargeLaw::transient), "--until: found 0.1 s, allowed: after --opened, 0.1 s");
+  EXPECT_NE(said({}, 0.05, DischargeLaw::transient).find("has no time up to then"), std::string::npos);
+  EXPECT_NE(said(0.11, 0.15, DischargeLaw::transient).find("from then on up to --until"), std::string::npos);
+  EXPECT_NE(said({}, 0.2, DischargeLaw::moving_shoe).find("law 5.17 has no times"), std::string::npos);
+}
+
 TEST_F(DischargeTable, TellsTheLawByItsColumns) {
   EXPECT_EQ(law_for_table(file("mass g,speed m/s\n")), DischargeLaw::moving_shoe);
   EXPECT_EQ(law_for_table(file("rate g/s,diameter mm\n")), DischargeLaw::beverloo_round);

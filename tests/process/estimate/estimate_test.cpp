@@ -9,18 +9,13 @@
 #include "process/estimate/filling.h"
 #include "process/estimate/openings.h"
 #include "process/input/scene_error.h"
-#include "process/setup/read_tooling.h"
-#include "project_paths.h"
+#include "tests/process/estimate/estimate_scene.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::process::estimate {
 namespace {
 
 constexpr double kMm = 1e-3;
-
-Scene sample(const std::string& name) {
-  return read_scene(std::string(DIEFILL_SOURCE_DIR) + "/sample_tools/" + name);
-}
 
 TEST(OpeningLayout, OfARingHasItsAreaAndItsWidth) {
   const Scene scene = sample("narrow_ring/fill.toml");

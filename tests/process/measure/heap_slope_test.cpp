@@ -12,13 +12,15 @@
 namespace diefill::process {
 namespace {
 
-/// Grains in a wedge under a line of `degrees`, 60 d long, its toe at x = 0; a few lie about before it.
-results::PowderState heap(double degrees) {
+/// Grains in a wedge under a line of `degrees`, 60 d long, its toe at x = 0; a few lie about before it. It is
+/// `highest` (d) high at most.
+results::PowderState heap(double degrees, double highest = 1000) {
   const double d = kDiameter, gradient = std::tan(degrees * std::numbers::pi / 180);
   std::vector<Eigen::Vector3d> places;
   for (int i = 0; i < 120; ++i)
     for (int j = 0; j < 4; ++j)
-      for (int k = 0; k <= i; ++k) places.emplace_back(0.5 * i * d, j * d, 0.5 * k * gradient * d);
+      for (int k = 0; k <= i && 0.5 * k * gradient <= highest; ++k)
+        places.emplace_back(0.5 * i * d, j * d, 0.5 * k * gradient * d);
   for (int i = 1; i < 20; ++i) places.emplace_back(-i * d, 0, 0);
   return powder_of(places);
 }
@@ -28,6 +30,32 @@ TEST(HeapSlope, IsThatOfTheSurface) {
   // Every column's highest grain is its right-most: the same shift everywhere.
   for (const double degrees : {20.0, 35.0, 45.0})
     EXPECT_NEAR(heap_slope(heap(degrees), from, to), degrees, 0.05);
+}
+
+TEST(HeapSlope, AFlatTopIsNoPartOfIt) {
+  const Eigen::Vector3d from(-0.0201, -0.01, 0), to(0.03, 0.01, 0.05);
+  // The slope is a third of the surface and less, down to ten grains high.
+  EXPECT_NEAR(heap_slope(heap(45, 20), from, to), 45, 0.05);
+  EXPECT_NEAR(heap_slope(heap(59, 10), from, to), 59, 1.5);
+}
+
+TEST(HeapSlope, RisesAlongXOrFalls) {
+  auto powder = heap(40, 25);
+  for (auto& place : powder.position) place.x() = -place.x();
+  EXPECT_NEAR(heap_slope(powder, {-0.0301, -0.01, 0}, {0.0201, 0.01, 0.05}), 40, 0.3);
+}
+
+TEST(HeapSlope, ADipInTheTopAndARunOutToeChangeNothing) {
+  const HeapSurface clean = {{0, 0.5}, {1, 2}, {2, 4}, {3, 6}, {4, 8}, {5, 10}, {6, 10}};
+  HeapSurface rough = clean;
+  rough.insert(rough.begin(), {{-2, 0.5}, {-1, 0.4}});
+  rough.insert(rough.end(), {{7, 5}, {8, 10}, {9, 9.8}});
+  EXPECT_NEAR(line_of_slope(clean, 0, 0).slope, 2, 1e-12);
+  EXPECT_NEAR(line_of_slope(rough, 0, 0).slope, 2, 1e-12);
+  EXPECT_NEAR(line_of_slope(rough, 0, 0).level, 0, 1e-12);
+  EXPECT_TRUE(
+      std::isnan(line_of_slope({{0, 0.5}, {1, 10}, {2, 10}}, 0, 0).slope));  // steeper than columns show
+  EXPECT_TRUE(std::isnan(line_of_slope(clean, 0, 9).slope));
 }
 
 TEST(HeapSlope, OnlyTheBoxCounts) {

@@ -130,6 +130,7 @@ TEST(FillLevelMap, IsTheHeightOfTheSurface) {
   const auto along = fill_level_along_travel(result);
   EXPECT_EQ(along.x_name, "distance along the shoe's travel");
   for (const double level : along.y) EXPECT_NEAR(level, 4, 1e-9);
+  EXPECT_EQ(fill_level_along_travel(map, result.cavity).y, along.y);
 }
 
 TEST(Fields, OfACavityThatIsNoRingArePlanMapLevelsAndHeightProfile) {

@@ -110,6 +110,16 @@ TEST(ExpectedError, OfAnotherPowderIsTheLargestOfAll) {
   EXPECT_NE(any.front().source.find("another powder"), std::string::npos);
 }
 
+TEST(ExpectedError, OfAPresetWithOtherParametersIsThatOfAnotherPowder) {
+  PowderSpec changed = powder_preset("Distaloy AE"), bed = powder_preset("ASC100.29 D2");
+  changed.friction = 0.3;
+  const auto errors = expected_errors(changed, 1.5e-3, {6e-3});
+  ASSERT_FALSE(errors.empty());
+  for (const auto& error : errors) EXPECT_NE(error.source.find("another powder"), std::string::npos);
+  bed.work_of_adhesion = 0;
+  EXPECT_TRUE(expected_errors(bed, bed.grain_diameter, {}).empty()) << "its bed was not published";
+}
+
 TEST(ExpectedError, OfAPublishedBedIsToldBesides) {
   PowderSpec powder = powder_preset("ASC100.29 D2");
   powder.grain_diameter = 4 * 6 * 7.84e-5;

@@ -84,16 +84,45 @@ TEST(EarlierResults, IncludeTheSeriesForParaView) {
   EXPECT_FALSE(fs::exists(folder.path() / "filling.pvd"));
 }
 
-TEST(EarlierResults, OfSomeoneElseAreMovedToo) {
+TEST(EarlierResults, IncludePicturesByTheNamesOfThisProgram) {
   const support::TemporaryFolder folder;
-  for (const char* name : {"section.png", "plan_map.png", "live.html", "results.xdmf"})
-    folder.write(name, name);
-  folder.write("notes.txt", "notes");
+  const std::vector<std::string> own = {"section.png",      "section_2.png", "density_map_cavity_12.png",
+                                        "plan_map.png",     "histogram.pdf", "report.pdf",
+                                        "film.mp4",         "live.html",     "results.xdmf",
+                                        "film_fast.mp4",    "frames_fast",   "frames",
+                                        "checkpoint.inputs"};
+  for (const char* frames : {"frames", "frames_fast"}) {
+    fs::create_directory(folder.path() / frames);
+    folder.write(std::string(frames) + "/00000.png", "frame");
+  }
+  for (const auto& name : own)
+    if (!name.starts_with("frames")) folder.write(name, name);
   EXPECT_EQ(back_up_results(folder.path()), folder.path() / "previous-1");
-  for (const char* name : {"section.png", "plan_map.png", "live.html", "results.xdmf"})
-    EXPECT_EQ(contents(folder.path() / "previous-1" / name), name);
-  EXPECT_EQ(contents(folder.path() / "notes.txt"), "notes");
+  for (const auto& name : own) EXPECT_TRUE(fs::exists(folder.path() / "previous-1" / name)) << name;
+  EXPECT_EQ(contents(folder.path() / "previous-1/section_2.png"), "section_2.png");
   EXPECT_FALSE(back_up_results(folder.path()).has_value());
+}
+
+TEST(EarlierResults, LeavePicturesOfOthers) {
+  const support::TemporaryFolder folder;
+  fs::create_directory(folder.path() / "camera_frames");
+  const std::vector<std::string> foreign = {
+      "photo.png",        "data sheet.pdf", "press.mp4",    "section_of_the_die.png", "map_fast.png",
+      "film_of_ours.mp4", "section.svg",    "cavity_2.png", "measured_level.png",     "measured_level.csv",
+      "notes.txt",        "_2.png",         "2.png",        "camera_frames/a.png"};
+  for (const auto& name : foreign) folder.write(name, name);
+  EXPECT_FALSE(back_up_results(folder.path()).has_value());
+  for (const auto& name : foreign) EXPECT_EQ(contents(folder.path() / name), name);
+}
+
+TEST(EarlierResults, IncludeComparisonsWithMeasuredData) {
+  const support::TemporaryFolder folder;
+  const std::string heading = "\"x [mm]\",\"measured level [mm]\",\"simulated level [mm]\"\n";
+  const std::vector<std::string> own = {"measured_level.csv", "measured_level_zones.csv",
+                                        "measured_level.png", "measured_level_difference.png"};
+  for (const auto& name : own) folder.write(name, heading);
+  EXPECT_EQ(back_up_results(folder.path()), folder.path() / "previous-1");
+  for (const auto& name : own) EXPECT_TRUE(fs::exists(folder.path() / "previous-1" / name)) << name;
 }
 
 TEST(EarlierResults, WouldMoveTheDirectoryAndWhatARunLeftInIt) {

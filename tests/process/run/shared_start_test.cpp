@@ -110,6 +110,17 @@ TEST_F(SharedStart, IsAnotherWhereTheTableThatAStepHasFollowedHoldsOtherPoints) 
   EXPECT_NE(of_table("motion.csv", "0.1,2"), before);
 }
 
+TEST_F(SharedStart, IsAnotherWhereTheFileOfPlacedGrainsHoldsOthers) {
+  const auto of_grains = [&](const std::string& second) {
+    std::ofstream(folder_.path() / "grains.csv") << "x [mm], y [mm], z [mm], radius [mm]\n20, 0, 1, 1\n"
+                                                 << second << '\n';
+    return hash_with(support::SceneTables().pour, "grains_file = \"grains.csv\"\n");
+  };
+  const std::uint64_t before = of_grains("24.5, 2, 3, 1");
+  EXPECT_EQ(of_grains("24.5, 2, 3, 1"), before);
+  EXPECT_NE(of_grains("24.5, 2, 4, 1"), before);
+}
+
 TEST_F(SharedStart, IsAnotherWhereTheNextStepMayHaveBegunEarlier) {
   schedule_.steps[2].started = -1;
   EXPECT_NE(hash_with("duration = \"1 s\"", "duration = \"1 s\"\nstart = { at = \"0.2 s\" }"), hash());

@@ -161,6 +161,33 @@ TEST_F(ChartTest, MarksKeepAMarginToTheFrame) {
   }
 }
 
+// Marks up to a round number: a twentieth of the axis, and not the next round number as well.
+TEST_F(ChartTest, MarksGetOneMarginAndLinesARoundNumber) {
+  Chart chart;
+  chart.curves = {{"", {0, 1, 2}, {0, 4, 10}, CurveStyle::kMarkers, {}}};
+  EXPECT_NEAR(compose_chart(chart).plot.y.range.upper, 10.5, 1e-9);
+  chart.curves[0].style = CurveStyle::kLine;
+  EXPECT_GE(compose_chart(chart).plot.y.range.upper, 10.2);
+  EXPECT_EQ(compose_chart(chart).plot.x.range.upper, 2);
+  // Each keeps its own where there are both.
+  chart.curves.push_back({"", {0, 1}, {0, 1}, CurveStyle::kMarkers, {}});
+  EXPECT_GE(compose_chart(chart).plot.y.range.upper, 10.2);
+}
+
+TEST_F(ChartTest, ReferencesAreGreyAndTakeNoColourOfTheData) {
+  Chart chart;
+  chart.curves = {parabola("limit", 1, CurveStyle::kReference), parabola("model", 0.6, CurveStyle::kMarkers)};
+  chart.curves[0].y[4] = kNone;  // no line joins the point before it
+  chart.curves[0].y[2] = kNone;
+  const auto picture = compose_chart(chart);
+  keep(picture.image, "chart_reference.png");
+  const auto at = [&](std::size_t curve, std::size_t k) {
+    return pixel_at(picture.image, picture.plot.pixel(chart.curves[curve].x[k], chart.curves[curve].y[k]));
+  };
+  for (const std::size_t k : {3U, 8U}) EXPECT_TRUE(close_to(at(0, k), {90, 90, 90}, 3)) << k;
+  EXPECT_TRUE(close_to(at(1, 8), colour_of(0), 3));
+}
+
 TEST_F(ChartTest, ANaturalZeroAndGivenLimitsAreKept) {
   Chart chart;
   chart.curves = {parabola("", 1, CurveStyle::kMarkers)};

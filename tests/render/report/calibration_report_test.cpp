@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "render/report/calibration_data_section.h"
 #include "render/report/html.h"
 #include "tests/render/fields/drawing_test.h"
 
@@ -32,7 +33,7 @@ results::Calibration account() {
        {0.001, 0.01, 0.1},
        {30, 3.1, 40}}};
   account.correlation = {{1, -0.9}, {-0.9, 1}};
-  account.insights = {"slit alone fix powder.friction and powder.work_of_adhesion only along a line"};
+  account.insights = {"slit alone fixes powder.friction and powder.work_of_adhesion only along a line"};
   account.worth = {{"heap, once more", 0.4, {0.5, 0.6}}};
   account.stopped = "more runs would change little";
   results::CalibratedMeasurement slit;
@@ -78,12 +79,36 @@ TEST_F(CalibrationReport, MarksTheBestPowderAndTheEdgeOfThoseThatAgreeOnMaps) {
   EXPECT_NE(with.find("powder.friction and log10 of work_of_adhesion"), std::string::npos);
 }
 
+TEST_F(CalibrationReport, ShowsAMapWithMoreValuesThanATableAsSimulatedOverMeasured) {
+  results::Calibration mapped = account();
+  results::CalibratedMeasurement map;
+  map.name = "CT";
+  map.quantity = "solid fraction";
+  map.unit = "1";
+  map.x_name = "x";
+  map.second_name = "y";
+  map.x_unit = map.second_unit = "mm";
+  for (int k = 0; k < 13; ++k)
+    map.data.push_back({1.0 * k, 2, 0.3 + 0.01 * k, 0.01, 0.31 + 0.009 * k, 0.01, 0.01, 0.3, 0.4});
+  map.data[4].simulated = NAN;  // a place that runs have no value at
+  const std::string without = html_page(calibration_document(mapped));
+  mapped.measurements.push_back(map);
+  const std::string with = html_page(calibration_document(mapped));
+  EXPECT_NE(with.find("CT: simulated over measured"), std::string::npos);
+  EXPECT_EQ(without.find("simulated over measured"), std::string::npos);
+  EXPECT_FALSE(agreement_picture(map).png.isEmpty());
+  for (auto& datum : map.data) datum.simulated = NAN;
+  EXPECT_FALSE(agreement_picture(map).png.isEmpty());
+}
+
 TEST_F(CalibrationReport, SaysWhereNoPowderWasFound) {
   results::Calibration nothing;
   nothing.title = "Plant powder";
   nothing.stopped = "the budget is used";
+  nothing.remarks = {"2 of 4 sets of parameters failed"};
   const std::string page = html_page(calibration_document(nothing));
   EXPECT_NE(page.find("No powder was fitted: the budget is used"), std::string::npos);
+  EXPECT_NE(page.find("2 of 4 sets of parameters failed"), std::string::npos);
 }
 
 TEST_F(CalibrationReport, OfAScreeningHasItsEffects) {
@@ -96,8 +121,10 @@ TEST_F(CalibrationReport, OfAScreeningHasItsEffects) {
   screened.screening.effects = {{"A", "powder.friction", true, {-1.5}},
                                 {"B", "powder.work_of_adhesion", true, {0.1}},
                                 {"AB", "powder.friction with powder.work_of_adhesion", false, {0.05}}};
+  screened.remarks = {"no effects on heap, which has no value in run 3 (too soft)"};
   const std::string page = html_page(calibration_document(screened));
-  for (const char* part : {"-1.5 *", "a full factorial", "runs with other seeds", "A = powder.friction"})
+  for (const char* part : {"-1.5 *", "a full factorial", "runs with other seeds", "A = powder.friction",
+                           "no effects on heap, which has no value in run 3 (too soft)"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   EXPECT_FALSE(effects_picture(screened.screening, 0).png.isEmpty());
 }

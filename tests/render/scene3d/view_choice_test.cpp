@@ -60,6 +60,43 @@ TEST(ViewChoice, FramesAllCavities) {
   for (const double x : {-12.46e-3, 52.46e-3}) EXPECT_TRUE(shows(view, {x, view.cut_y, -20e-3})) << x;
 }
 
+/// A ring whose shoe is at `displacement` (m) from its place at the end in the only instant.
+results::FillResult ring_with_instant(const Eigen::Vector3d& displacement) {
+  auto result = make_ring();
+  results::Instant instant;
+  for (const auto& tool : result.tools) {
+    instant.tool_orientation.emplace_back(1.0, 0.0, 0.0, 0.0);
+    instant.tool_displacement.emplace_back(0.0, 0.0, 0.0);
+    if (tool.role == "shoe") instant.tool_displacement.back() = displacement;
+  }
+  result.instants = {instant};
+  return result;
+}
+
+TEST(ViewChoice, APassageIsSeenCloseToTheCavity) {
+  const auto view = view_of_passage(ring_with_instant({-52e-3, 0, 0}), kAspect);
+  ASSERT_TRUE(view);
+  EXPECT_NEAR(view->width / view->height, kAspect, 1e-12);
+  EXPECT_GT(2 * 12.46e-3, 0.4 * view->width);
+  for (const double x : {-12.46e-3, 12.46e-3})
+    for (const double z : {-20e-3, 10e-3}) EXPECT_TRUE(shows(*view, {x, 0, z})) << x << " " << z;
+  for (const double x : {-40e-3, 40e-3}) EXPECT_FALSE(shows(*view, {x, 0, 5e-3})) << x;
+  // As each camera sees it.
+  const Camera side{1.57, 0.35};
+  const auto from_the_side = view_of_passage(ring_with_instant({-52e-3, 0, 0}), kAspect, side);
+  ASSERT_TRUE(from_the_side);
+  EXPECT_EQ(from_the_side->azimuth, side.azimuth);
+}
+
+TEST(ViewChoice, WithoutACrossingThereIsNoPassage) {
+  EXPECT_FALSE(view_of_passage(make_ring(), kAspect));
+  EXPECT_FALSE(view_of_passage(ring_with_instant({1e-3, 0, 0}), kAspect));  // shaken
+  EXPECT_FALSE(view_of_passage(ring_with_instant({0, 0, 40e-3}), kAspect));
+  auto without_cavity = ring_with_instant({-52e-3, 0, 0});
+  without_cavity.cavity = {};
+  EXPECT_FALSE(view_of_passage(without_cavity, kAspect));
+}
+
 TEST(ViewChoice, UnitedViewsShowWhatEachShows) {
   ViewChoice left;
   left.width = 0.13;

@@ -1,5 +1,6 @@
 // Bulk formation (Bierwisch 2009, section 3.2.1, Figs. 3.2 to 3.4, Table C.2): beds of two grain sizes on a
-// ground of spheres of the grains' own radius. The source has 0.47, 0.94 and 1.88 mm.
+// ground of spheres of the grains' own radius. The source has 0.47, 0.94 and 1.88 mm; sizes collapse but near
+// ground and top, so that they are compared by grains 2 d away from both.
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -15,6 +16,10 @@ namespace {
 
 constexpr double kReference = 4.7e-4;  // m
 constexpr double kSlab = 0.010;        // m
+constexpr double kWidth = 0.005;       // m at the reference size; others are as many grains wide
+constexpr double kAway = 2;            // d, from ground and top, of the grains that sizes are compared by
+constexpr double kSameOverlap = 0.03, kSameContacts = 0.1, kSameFraction = 0.005;  // of a collapse
+constexpr double kMoreContacts = 0.05, kMoreFraction = 0.001;  // beyond the scatter of packings
 
 /// A set of Table C.2.
 struct Set {
@@ -46,7 +51,7 @@ std::string run_name(const Set& set, double scale) {
 }
 
 LabRun run_of(const Set& one, double scale) {
-  const double width = std::max(0.005, 5.4 * kReference * scale), half = 0.5 * width;
+  const double width = kWidth * scale, half = 0.5 * width;
   LabRun run{run_name(one, scale), "bed.toml", {}};
   std::string& set = run.changes.set;
   set += line("powder.grain_diameter", millimetres(kReference * scale));
@@ -79,27 +84,61 @@ double contacts_of(const results::FillResult& result) {
   return contact_statistics(result.powder).contacts_a_grain;
 }
 
-double mean_overlap_of(const results::FillResult& result) {
-  return contact_statistics(result.powder).mean_overlap;
+/// Solid over cell volume of the grains that sizes are compared by.
+double fraction_away(const results::FillResult& result) {
+  const auto counts = away_from_ends(result.powder, kAway);
+  double solid = 0, cells = 0;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    if (!counts[k] || result.solid_fraction.open[k] != 0) continue;
+    solid += result.powder.solid_volume_of(k);
+    cells += result.solid_fraction.cell_volume[k];
+  }
+  return solid / cells;
 }
 
-/// Coarse less fine contacts a grain.
-double rise(const SeedResults& seed, const Set& set, const Sizes& sizes) {
-  return contacts_of(seed.of(run_name(set, sizes.coarse))) - contacts_of(seed.of(run_name(set, sizes.fine)));
+/// What coarse grains have more than fine ones, away from ground and top.
+struct Rise {
+  double overlap = 0;  ///< mean h / d, coarse over fine, less 1
+  double contacts = 0, fraction = 0;
+};
+
+Rise rise_of(const SeedResults& seed, const Set& set, const Sizes& sizes) {
+  const auto& fine = seed.of(run_name(set, sizes.fine));
+  const auto& coarse = seed.of(run_name(set, sizes.coarse));
+  constexpr double kBin = 5e-5;  // h / d
+  const auto few = contact_statistics(fine.powder, kBin, kAway),
+             many = contact_statistics(coarse.powder, kBin, kAway);
+  return {many.mean_overlap / few.mean_overlap - 1, many.contacts_a_grain - few.contacts_a_grain,
+          fraction_away(coarse) - fraction_away(fine)};
 }
 
 /// Largest difference between the sizes, over what the source's collapse allows.
 double lack_of_collapse(const SeedResults& seed, const Set& set, const Sizes& sizes) {
-  const auto& fine = seed.of(run_name(set, sizes.fine));
-  const auto& coarse = seed.of(run_name(set, sizes.coarse));
-  const double overlap = std::abs(mean_overlap_of(coarse) / mean_overlap_of(fine) - 1) / 0.03;
-  const double contacts = std::abs(contacts_of(coarse) - contacts_of(fine)) / 0.1;
-  const double fraction = std::abs(bulk_of(coarse) - bulk_of(fine)) / 0.005;
-  return std::max({overlap, contacts, fraction});
+  const Rise rise = rise_of(seed, set, sizes);
+  return std::max({std::abs(rise.overlap) / kSameOverlap, std::abs(rise.contacts) / kSameContacts,
+                   std::abs(rise.fraction) / kSameFraction});
 }
 
-std::vector<std::string> both(const Set& set, const Sizes& sizes) {
-  return {run_name(set, sizes.fine), run_name(set, sizes.coarse)};
+/// K08: share of three statements that hold with gamma_n fixed: overlaps collapse, contacts and fraction rise
+/// with d.
+double share_with_damping_fixed(const Rise& damping) {
+  return ((std::abs(damping.overlap) < kSameOverlap) + (damping.contacts > kMoreContacts) +
+          (damping.fraction > kMoreFraction)) /
+         3.0;
+}
+
+/// K09: the same with kappa_t fixed, and more than with gamma_n fixed.
+double share_with_spring_fixed(const Rise& spring, const Rise& damping) {
+  return ((std::abs(spring.overlap) < kSameOverlap) +
+          (spring.contacts > std::max(kMoreContacts, damping.contacts)) +
+          (spring.fraction > std::max(kMoreFraction, damping.fraction))) /
+         3.0;
+}
+
+/// K10: share of three statements that hold with w fixed: overlaps of small grains are larger, contacts and
+/// fraction rise with d.
+double share_with_work_fixed(const Rise& work) {
+  return ((work.overlap < 0) + (work.contacts > 0) + (work.fraction > 0)) / 3.0;
 }
 
 LayerProfile layers_of(const results::PowderState& powder) {
@@ -109,15 +148,15 @@ LayerProfile layers_of(const results::PowderState& powder) {
 std::vector<results::ExperimentChart> charts_of(const std::vector<SeedResults>& seeds, const Sizes& sizes) {
   results::ExperimentChart overlaps, layers;
   overlaps.name = "bulk_formation_overlaps";
-  overlaps.title = "Overlaps of contacts in fallen beds";
+  overlaps.title = "Contact overlaps in deposited beds";
   overlaps.subtitle = "Model D, slab of 10 mm; one seed; published peaks at 2e-4 and 8e-4";
   overlaps.x = {.label = "Overlap over grain size [1]", .lower = 0, .upper = 2e-3};
-  overlaps.y = {.label = "Share of contacts [1]"};
+  overlaps.y = {.label = "Fraction of contacts [1]"};
   layers.name = "bulk_formation_layers";
-  layers.title = "Solid share over height in fallen beds";
+  layers.title = "Area fraction of solid over height in deposited beds";
   layers.subtitle = "Model D, slab of 10 mm; one seed; lowest published near the ground: 0.18";
   layers.x = {.label = "Height over grain size [1]", .lower = 0, .upper = 5};
-  layers.y = {.label = "Solid share of the plane [1]"};
+  layers.y = {.label = "Area fraction of solid [1]"};
   for (const Set& set : {kFree, kCohesive})
     for (const double scale : {sizes.fine, sizes.coarse}) {
       const std::string run = run_name(set, scale);
@@ -135,6 +174,34 @@ std::vector<results::ExperimentChart> charts_of(const std::vector<SeedResults>& 
                                   .y = {0, 0}};
   overlaps.series.push_back(peaks);
   return {overlaps, layers};
+}
+
+/// How the sizes differ with each set: K07 to K10, and what they are made of.
+void add_differences(const Sizes& sizes, LabPlan& plan) {
+  const auto add = [&](const std::string& id, const std::string& quantity, const std::string& unit,
+                       const std::vector<Set>& sets, const std::function<double(const SeedResults&)>& value) {
+    plan.quantities.push_back({.id = id, .quantity = quantity, .unit = unit, .runs = {}, .value = value});
+    for (const Set& set : sets)
+      for (const double scale : {sizes.fine, sizes.coarse})
+        plan.quantities.back().runs.push_back(run_name(set, scale));
+  };
+  add("K07", "", "", {kFree, kCohesive}, [sizes](const SeedResults& seed) {
+    return std::max(lack_of_collapse(seed, kFree, sizes), lack_of_collapse(seed, kCohesive, sizes));
+  });
+  add("K08", "", "", {kDamping},
+      [sizes](const SeedResults& seed) { return share_with_damping_fixed(rise_of(seed, kDamping, sizes)); });
+  add("K09", "", "", {kDamping, kSpring}, [sizes](const SeedResults& seed) {
+    return share_with_spring_fixed(rise_of(seed, kSpring, sizes), rise_of(seed, kDamping, sizes));
+  });
+  add("K10", "", "", {kWork},
+      [sizes](const SeedResults& seed) { return share_with_work_fixed(rise_of(seed, kWork, sizes)); });
+  for (const Set& set : kSets)
+    for (const auto& [what, part] : {std::pair("mean h/d, coarse over fine less 1, ", &Rise::overlap),
+                                     std::pair("contacts a grain, coarse less fine, ", &Rise::contacts),
+                                     std::pair("solid fraction, coarse less fine, ", &Rise::fraction)}) {
+      const std::string name = std::string(what) + set.name;
+      add(name, name, "1", {set}, [=](const SeedResults& seed) { return rise_of(seed, set, sizes).*part; });
+    }
 }
 
 }  // namespace
@@ -159,24 +226,7 @@ LabPlan plan_bulk_formation(const LabSetting& setting) {
                      of_one("K06", cohesive, [](const results::FillResult& bed) {
                        return near_ground(layers_of(bed.powder), bulk_of(bed)).bulk_reached_at;
                      })};
-  const auto add = [&](const char* id, std::vector<std::string> runs, auto value) {
-    plan.quantities.push_back(
-        {.id = id, .quantity = "", .unit = "", .runs = std::move(runs), .value = value});
-  };
-  auto four = both(kFree, sizes);
-  for (const auto& run : both(kCohesive, sizes)) four.push_back(run);
-  add("K07", four, [sizes](const SeedResults& seed) {
-    return std::max(lack_of_collapse(seed, kFree, sizes), lack_of_collapse(seed, kCohesive, sizes));
-  });
-  add("K08", both(kDamping, sizes), [sizes](const SeedResults& seed) { return rise(seed, kDamping, sizes); });
-  auto springs = both(kDamping, sizes);
-  for (const auto& run : both(kSpring, sizes)) springs.push_back(run);
-  add("K09", springs,
-      [sizes](const SeedResults& seed) { return rise(seed, kSpring, sizes) / rise(seed, kDamping, sizes); });
-  add("K10", both(kWork, sizes), [sizes](const SeedResults& seed) {
-    return mean_overlap_of(seed.of(run_name(kWork, sizes.fine))) /
-           mean_overlap_of(seed.of(run_name(kWork, sizes.coarse)));
-  });
+  add_differences(sizes, plan);
   plan.charts = [sizes](const std::vector<SeedResults>& seeds) { return charts_of(seeds, sizes); };
   return plan;
 }

@@ -1,6 +1,7 @@
 // Discharge of the moving shoe against what the transient discharge of the hopper predicts (Bierwisch 2009,
 // section 5.2.2, Eq. 5.17 with Table 5.2): model D, friction 0.5, no cohesion, a shoe of 32 mm, and one
-// of 45 mm over a slit of 15 mm. Coarse grains have wider slits as in shoe_discharge.cpp.
+// of 45 mm over a slit of 15 mm. Eq. 5.17 is of a hopper that stays full; how deep the source's powder is, is
+// not published. Coarse grains have wider slits as in shoe_discharge.cpp.
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/experiments.h"
 
@@ -12,8 +13,10 @@ struct Point {
   SlitPassage passage;
 };
 
-/// A shoe of 45 mm over the slit of 15 mm, with deep powder: the slow passage takes most of 24 mm.
-constexpr double kLong = 0.045, kDeep = 0.041;  // m
+/// As deep as the deepest fill of section 4.1.6, where discharge does not depend on depth: of 24 mm the slow
+/// passages would take 41 % (slit of 10 mm) and most (15 mm).
+constexpr double kDeep = 0.041;  // m
+constexpr double kLong = 0.045;  // m, of the shoe over the slit of 15 mm
 
 std::string run_name(const Point& point) {
   return "slit " + plain(1e3 * point.passage.width) + " mm, " + plain(point.passage.speed) + " m/s";
@@ -40,10 +43,10 @@ LabPlan plan_of(const LabSetting& setting, const std::vector<Point>& points) {
 }  // namespace
 
 LabPlan plan_moving_shoe(const LabSetting& setting) {
-  return plan_of(setting, {{"E06", {.width = 0.006, .speed = 0.2}},
-                           {"E07", {.width = 0.006, .speed = 0.4}},
-                           {"E08", {.width = 0.010, .speed = 0.2}},
-                           {"E09", {.width = 0.010, .speed = 0.4}}});
+  return plan_of(setting, {{"E06", {.width = 0.006, .speed = 0.2, .fill = kDeep}},
+                           {"E07", {.width = 0.006, .speed = 0.4, .fill = kDeep}},
+                           {"E08", {.width = 0.010, .speed = 0.2, .fill = kDeep}},
+                           {"E09", {.width = 0.010, .speed = 0.4, .fill = kDeep}}});
 }
 
 LabPlan plan_long_shoe(const LabSetting& setting) {

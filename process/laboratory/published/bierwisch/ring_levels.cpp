@@ -56,11 +56,11 @@ double mean_level(const SeedResults& seed, const std::string& run) {
 results::ExperimentChart chart_of(const std::vector<std::string>& runs, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "ring_levels";
-  chart.title = "Filling level of a narrow ring over the azimuth";
+  chart.title = "Fill level of a narrow ring over the azimuth";
   chart.subtitle =
       "One passage at 0.2 m/s; published: lower for larger d in one ring, equal in widened rings";
   chart.x = {.label = "Azimuth [deg]", .lower = 0, .upper = 360};
-  chart.y = {.label = "Filling level [mm]", .lower = 0};
+  chart.y = {.label = "Fill level [mm]", .lower = 0};
   for (const std::string& run : runs) {
     if (!seed.has(run)) continue;
     if (const results::Profile* level = level_of(seed, run))

@@ -1,9 +1,11 @@
 // Discharge of the moving shoe through slits of 6 and 10 mm over its speed (Bierwisch 2009, sections 4.1.1
 // and 4.1.2, Figs. 4.4 and 4.5): area A_sim (Eq. 4.2) against the measured curve (Eq. 4.1), residual as
-// Eqs. 4.3 and 4.4. Coarse grains have slits widened by 1.4 times what they are larger.
+// Eqs. 4.3 and 4.4, and each point's deviation. Coarse grains have slits widened by 1.4 times what they are
+// larger.
 #include <algorithm>
 #include <cmath>
 
+#include "process/laboratory/published/bierwisch/discharge_residual.h"
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/run_series.h"
@@ -23,7 +25,8 @@ constexpr Model kModels[] = {{"A1", "ASC100.29 A1", "S01", "S05"}, {"B1", "ASC10
                              {"A2", "ASC100.29 A2", "", ""},       {"D2", "ASC100.29 D2", "", ""}};
 
 constexpr double kNarrow = 0.006, kWide = 0.010;  // m
-constexpr double kFastest = 0.8;                  // m/s, scale of speeds in Eq. 4.4
+constexpr double kFastest = 0.8;                  // m/s
+constexpr double kSmallResidual = 1e-3;           // that of a powder which follows the curve
 
 std::vector<Model> models_of(const LabSetting& setting) {
   if (has_own_powder(setting)) return {{"powder", "", "residual", "prediction"}};
@@ -45,23 +48,19 @@ std::vector<std::string> runs_of(const Model& model, double width, const std::ve
   return runs;
 }
 
-/// epsilon^2 of Eq. 4.3: mean of squared distances from the measured curve, coordinates over their scales.
-double residual(const SeedResults& seed, const Model& model, double width,
-                const std::vector<double>& speeds) {
-  constexpr int kSamples = 4000;
-  const double slowest = speeds.front(), scale = measured_area(width, slowest);
-  double sum = 0;
-  for (const double speed : speeds) {
-    const double area = discharged_area(seed, run_name(model, width, speed));
-    double nearest = INFINITY;
-    for (int k = 0; k <= kSamples; ++k) {
-      const double on_curve = slowest + (kFastest - slowest) * k / kSamples;
-      nearest = std::min(nearest, std::pow((speed - on_curve) / kFastest, 2) +
-                                      std::pow((area - measured_area(width, on_curve)) / scale, 2));
-    }
-    sum += nearest;
-  }
-  return sum / static_cast<double>(speeds.size());
+std::vector<PassagePoint> points_of(const SeedResults& seed, const Model& model, double width,
+                                    const std::vector<double>& speeds) {
+  std::vector<PassagePoint> points;
+  for (const double speed : speeds)
+    points.push_back({speed, discharged_area(seed, run_name(model, width, speed))});
+  return points;
+}
+
+/// S01 to S04: the residual, or so many thousandths as a point deviates by more than what agrees.
+double lack_of_agreement(const std::vector<PassagePoint>& points) {
+  const double residual = discharge_residual(points, kNarrow),
+               deviation = kSmallResidual * largest_deviation(points, kNarrow);
+  return std::isfinite(residual + deviation) ? std::max(residual, deviation) : NAN;
 }
 
 double mean_ratio(const SeedResults& seed, const Model& model, double width,
@@ -114,6 +113,25 @@ results::ExperimentChart chart_of(const std::vector<Model>& models, double width
   return chart;
 }
 
+void add_agreement(const Model& model, const std::vector<double>& speeds, LabPlan& plan) {
+  const auto add = [&](const std::string& id, const std::string& quantity, double width,
+                       const std::function<double(const SeedResults&)>& value) {
+    plan.quantities.push_back({.id = id,
+                               .quantity = quantity,
+                               .unit = quantity.empty() ? "" : "1",
+                               .runs = runs_of(model, width, speeds),
+                               .value = value});
+  };
+  add(model.residual, "", kNarrow,
+      [=](const SeedResults& seed) { return lack_of_agreement(points_of(seed, model, kNarrow, speeds)); });
+  const std::string alone = "residual, " + std::string(model.name);
+  add(alone, alone, kNarrow, [=](const SeedResults& seed) {
+    return discharge_residual(points_of(seed, model, kNarrow, speeds), kNarrow);
+  });
+  add(model.prediction, "", kWide,
+      [=](const SeedResults& seed) { return mean_ratio(seed, model, kWide, speeds); });
+}
+
 void add_model(const LabSetting& setting, const Model& model, const std::vector<double>& speeds,
                LabPlan& plan) {
   const LabPowder powder = lab_powder(setting, model.preset, setting.scale());
@@ -132,18 +150,7 @@ void add_model(const LabSetting& setting, const Model& model, const std::vector<
                                  }});
     }
   if (*model.residual == '\0') return;
-  plan.quantities.push_back(
-      {.id = model.residual,
-       .quantity = "",
-       .unit = "",
-       .runs = runs_of(model, kNarrow, speeds),
-       .value = [=](const SeedResults& seed) { return residual(seed, model, kNarrow, speeds); }});
-  plan.quantities.push_back(
-      {.id = model.prediction,
-       .quantity = "",
-       .unit = "",
-       .runs = runs_of(model, kWide, speeds),
-       .value = [=](const SeedResults& seed) { return mean_ratio(seed, model, kWide, speeds); }});
+  add_agreement(model, speeds, plan);
 }
 
 }  // namespace

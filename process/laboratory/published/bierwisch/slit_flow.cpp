@@ -1,10 +1,11 @@
 // Steady discharge through slits while the shoe passes (Bierwisch 2009, section 3.2.2, Figs. 3.5 and 3.6,
 // Table C.3): solid rate over slit width for several grain sizes; the offset c for which all lie on one curve
-// over D - c d.
-#include <Eigen/Dense>
+// over D - c d, and how far they lie about one over D - 1.4 d.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "process/laboratory/published/bierwisch/slit_collapse.h"
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/powder/empty_annulus.h"
@@ -66,13 +67,8 @@ LabRun run_of(const LabSetting& setting, const Case& one, double scale, double w
           slit_changes(setting, powder, passage_of(setting, width))};
 }
 
-/// Points of a case: rate, slit width, grain size.
-struct Points {
-  std::vector<double> rate, width, diameter;
-};
-
-Points points_of(const SeedResults& seed, const LabSetting& setting, const Case& one) {
-  Points points;
+SlitPoints points_of(const SeedResults& seed, const LabSetting& setting, const Case& one) {
+  SlitPoints points;
   for (const double scale : one.scales)
     for (const double width : one.widths) {
       const std::string run = run_name(one, scale, width);
@@ -84,34 +80,8 @@ Points points_of(const SeedResults& seed, const LabSetting& setting, const Case&
   return points;
 }
 
-/// c of rate = a (D - c d)^(3/2), by least squares of rate^(2/3), which is linear in D and d; and its
-/// standard error by propagation.
-struct Offset {
-  double value = kNone, error = kNone;
-};
-
-Offset fitted_offset(const Points& points) {
-  const auto count = static_cast<Eigen::Index>(points.rate.size());
-  if (count < 4) return {};
-  Eigen::MatrixX2d places(count, 2);
-  Eigen::VectorXd root(count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const auto n = static_cast<std::size_t>(k);
-    if (!std::isfinite(points.rate[n])) return {};
-    places.row(k) << points.width[n], points.diameter[n];
-    root[k] = std::pow(points.rate[n], 2.0 / 3);
-  }
-  const Eigen::Matrix2d normal = places.transpose() * places;
-  const Eigen::Vector2d slopes = normal.ldlt().solve(places.transpose() * root);
-  const double variance = (places * slopes - root).squaredNorm() / static_cast<double>(count - 2);
-  const Eigen::Matrix2d covariance = variance * normal.inverse();
-  const double offset = -slopes[1] / slopes[0];
-  const Eigen::Vector2d gradient(-offset / slopes[0], -1 / slopes[0]);
-  return {offset, std::sqrt(gradient.dot(covariance * gradient))};
-}
-
 /// Rate (mm^2/s) over D - 1.4 d (mm), a series for each grain size.
-std::vector<results::ExperimentSeries> series_of_sizes(const Points& points) {
+std::vector<results::ExperimentSeries> series_of_sizes(const SlitPoints& points) {
   std::vector<results::ExperimentSeries> series;
   for (std::size_t k = 0; k < points.rate.size(); ++k) {
     const std::string name = "d = " + plain(std::round(1e6 * points.diameter[k]) / 1e3) + " mm";
@@ -144,8 +114,8 @@ results::ExperimentSeries one_curve(const std::vector<results::ExperimentSeries>
 }
 
 results::ExperimentChart chart_of(const LabSetting& setting, const Case& one, const SeedResults& seed) {
-  const Points points = points_of(seed, setting, one);
-  const Offset offset = fitted_offset(points);
+  const SlitPoints points = points_of(seed, setting, one);
+  const SlitOffset offset = fitted_offset(points);
   results::ExperimentChart chart;
   chart.name = "slit_flow_" + std::string(one.id);
   chart.title = "Steady discharge through slits: " + std::string(one.name);
@@ -155,48 +125,66 @@ results::ExperimentChart chart_of(const LabSetting& setting, const Case& one, co
                 "Fitted offset: (%.2f +- %.2f) d. Line: a (D - 1.4 d)^1.5 through the mean.", offset.value,
                 offset.error);
   chart.note = note;
-  chart.x = {.label = "Slit width less 1.4 grain sizes [mm]"};
-  chart.y = {.label = "Solid rate over slice depth [mm2/s]"};
+  chart.x = {.label = "Slit width minus 1.4 grain sizes [mm]"};
+  chart.y = {.label = "Solid volume flow over slice depth [mm2/s]"};
   chart.series = series_of_sizes(points);
   chart.series.push_back(one_curve(chart.series));
   return chart;
 }
 
-/// Rate of the coarser over that of the finer grains where both have the same D - 1.4 d, from rates at the
-/// same slit and the curve of power 1.5.
-double coarse_over_fine(const SeedResults& seed, const LabSetting& setting, const Case& one) {
-  const Points points = points_of(seed, setting, one);
-  const auto constant = [&](std::size_t k) {
-    return points.rate[k] / std::pow(points.width[k] - kEmptyAnnulus * points.diameter[k], 1.5);
-  };
-  return constant(points.rate.size() - 1) / constant(0);
-}
-
-LabQuantity offset_of(const LabSetting& setting, const Case& one, std::vector<std::string> runs) {
-  LabQuantity quantity{.id = one.id, .quantity = "", .unit = "", .runs = std::move(runs), .value = {}};
-  if (one.fixed_work)
-    quantity.value = [=](const SeedResults& seed) { return coarse_over_fine(seed, setting, one); };
-  else
-    quantity.value = [=](const SeedResults& seed) {
-      return fitted_offset(points_of(seed, setting, one)).value;
+/// F04: the smallest, over sizes, of the rate with w held over that with w in proportion to the size, through
+/// the same slit; the inverse for grains finer than the calibrated size, where w is the same.
+double effect_of_fixed_work(const SeedResults& seed, const LabSetting& setting, const Case& fixed,
+                            const Case& scaled) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const double scale : fixed.scales) {
+    if (scale == 1) continue;
+    const double width = fixed.widths.back();
+    const auto rate = [&](const Case& one) {
+      return steady_solid_rate(seed, run_name(one, scale, width), passage_of(setting, width));
     };
-  return quantity;
+    const double ratio = rate(fixed) / rate(scaled);
+    if (!std::isfinite(ratio)) return kNone;
+    smallest = std::min(smallest, scale > 1 ? ratio : 1 / ratio);
+  }
+  return smallest;
 }
 
-/// Standard error of the offset, and the solid fraction of D1 (F05).
-void add_others(const LabSetting& setting, const std::vector<Case>& cases, LabPlan& plan) {
-  for (std::size_t k = 0; k < cases.size(); ++k) {
-    if (cases[k].fixed_work) continue;
-    const Case& one = cases[k];
-    plan.quantities.push_back({.id = std::string(one.id) + "-error",
-                               .quantity = "standard error of the offset, " + std::string(one.name),
-                               .unit = "1",
-                               .runs = plan.quantities[k].runs,
-                               .value = [=](const SeedResults& seed) {
-                                 return fitted_offset(points_of(seed, setting, one)).error;
-                               }});
-  }
-  if (has_own_powder(setting)) return;
+/// F04: the rate with w held against that of the case before it.
+void add_fixed_work(const LabSetting& setting, const std::vector<Case>& cases, LabPlan& plan) {
+  const auto fixed = std::find_if(cases.begin(), cases.end(), [](const Case& one) { return one.fixed_work; });
+  if (fixed == cases.end()) return;
+  const Case held = *fixed, scaled = *std::prev(fixed);
+  LabQuantity quantity{.id = held.id, .quantity = "", .unit = "", .runs = {}, .value = {}};
+  for (const Case& one : {held, scaled})
+    for (const double scale : held.scales) quantity.runs.push_back(run_name(one, scale, held.widths.back()));
+  quantity.value = [=](const SeedResults& seed) { return effect_of_fixed_work(seed, setting, held, scaled); };
+  plan.quantities.push_back(quantity);
+}
+
+/// F01 to F03: how the sizes collapse, and what that is made of.
+void add_collapse(const LabSetting& setting, const Case& one, const std::vector<std::string>& runs,
+                  LabPlan& plan) {
+  const auto add = [&](const std::string& id, const std::string& quantity,
+                       double (*value)(const SlitPoints&)) {
+    plan.quantities.push_back(
+        {.id = id,
+         .quantity = quantity,
+         .unit = quantity.empty() ? "" : "1",
+         .runs = runs,
+         .value = [=](const SeedResults& seed) { return value(points_of(seed, setting, one)); }});
+  };
+  const std::string name = one.name, id = one.id;
+  add(id, "", lack_of_slit_collapse);
+  add(id + "-offset", "offset of the slit width over d, " + name,
+      [](const SlitPoints& points) { return fitted_offset(points).value; });
+  add(id + "-error", "standard error of the offset, " + name,
+      [](const SlitPoints& points) { return fitted_offset(points).error; });
+  add(id + "-spread", "spread of the rate about one curve over D - 1.4 d, " + name, spread_about_one_curve);
+}
+
+/// F05: the solid fraction of D1.
+void add_bulk_fraction(const LabSetting& setting, LabPlan& plan) {
   const std::string run = "D1, slit 10 mm";
   const LabPowder powder = lab_powder(setting, "ASC100.29 D1", setting.scale());
   plan.runs.push_back({run, "slit.toml", slit_changes(setting, powder, passage_of(setting, 0.010))});
@@ -218,9 +206,10 @@ LabPlan plan_slit_flow(const LabSetting& setting) {
         plan.runs.push_back(run_of(setting, one, scale, width));
         runs.push_back(plan.runs.back().name);
       }
-    plan.quantities.push_back(offset_of(setting, one, std::move(runs)));
+    if (!one.fixed_work) add_collapse(setting, one, runs, plan);
   }
-  add_others(setting, cases, plan);
+  add_fixed_work(setting, cases, plan);
+  if (!has_own_powder(setting)) add_bulk_fraction(setting, plan);
   plan.charts = [cases, setting](const std::vector<SeedResults>& seeds) {
     std::vector<results::ExperimentChart> charts;
     for (const Case& one : cases)

@@ -59,6 +59,18 @@ void add_packing(const char* ids[], int count, const std::string& run,
     plan.quantities.push_back({.id = ids[k], .quantity = "", .unit = "", .runs = {run}, .value = value});
 }
 
+/// G05: share of three statements that hold: the shallowest powder discharges more than the deeper two, by
+/// what packings scatter, and these agree.
+double share_of_d2(const SeedResults& seed, const Model& model) {
+  constexpr double kScatter = 0.03;
+  double area[3];
+  for (std::size_t k = 0; k < 3; ++k) area[k] = discharged_area(seed, fill_name(model, kFills[k]));
+  if (!std::isfinite(area[0] + area[1] + area[2])) return NAN;
+  return ((area[0] > (1 + kScatter) * area[1]) + (area[0] > (1 + kScatter) * area[2]) +
+          (std::abs(area[1] / area[2] - 1) <= kScatter)) /
+         3.0;
+}
+
 /// Grains of the published size through a slice of the published depth (2.16 mm) that fill the same area.
 double published_grains(const SeedResults& seed, const std::string& run) {
   constexpr double kDepth = 2.16e-3;                                                        // m
@@ -75,6 +87,27 @@ double relative_scatter(const std::vector<SeedResults>& seeds, const std::string
   return 100 * sample.scatter / sample.mean;
 }
 
+/// The published figure `quantity` of a model, and the ratios of its discharges as rows of their own.
+void add_ratios(const Model& model, LabQuantity quantity, LabPlan& plan) {
+  const auto ratio = [model](double fill, double other) {
+    return [=](const SeedResults& seed) {
+      return discharged_area(seed, fill_name(model, fill)) / discharged_area(seed, fill_name(model, other));
+    };
+  };
+  const std::string id = quantity.id;
+  quantity.value = ratio(kFills[0], kFills[2]);
+  if (id == "G05") quantity.value = [model](const SeedResults& seed) { return share_of_d2(seed, model); };
+  plan.quantities.push_back(quantity);
+  for (const double fill : {kFills[0], kFills[1]}) {
+    const std::string name = plain(1e3 * fill) + " mm over 41 mm, " + model.name;
+    plan.quantities.push_back({.id = "discharge, " + name,
+                               .quantity = "discharge, " + name,
+                               .unit = "1",
+                               .runs = quantity.runs,
+                               .value = ratio(fill, kFills[2])});
+  }
+}
+
 }  // namespace
 
 LabPlan plan_fill_height(const LabSetting& setting) {
@@ -89,11 +122,7 @@ LabPlan plan_fill_height(const LabSetting& setting) {
       plan.runs.push_back({fill_name(model, fill), "slit.toml", slit_changes(setting, powder, passage)});
       quantity.runs.push_back(plan.runs.back().name);
     }
-    quantity.value = [model](const SeedResults& seed) {
-      return discharged_area(seed, fill_name(model, kFills[0])) /
-             discharged_area(seed, fill_name(model, kFills[2]));
-    };
-    plan.quantities.push_back(quantity);
+    add_ratios(model, quantity, plan);
   }
   plan.charts = [models](const std::vector<SeedResults>& seeds) {
     return std::vector{fill_chart(models, seeds.front())};

@@ -72,7 +72,7 @@ results::ExperimentChart chart_of(const LabSetting& setting, const SeedResults& 
   chart.title = "Grains discharged from a silo";
   chart.subtitle = "Spheres of 4 mm, openings of 60 and 40 mm (Dosta et al. 2024)";
   chart.x = {.label = "Time since the opening [s]"};
-  chart.y = {.label = "Grains below the lip [1000]"};
+  chart.y = {.label = "Discharged grains [1000]"};
   for (const Opening& opening : kOpenings) {
     if (!seed.has(opening.name)) continue;
     const auto add = [&](const std::string& who, results::ExperimentSeries::Role role, const TimeCurve& curve,

@@ -1,6 +1,6 @@
 // Angle of repose of a heap of cohesive spheres on a square plate (Hu 2024, section 5.3): the angle of a cone
 // with the same shadow, and Carr's classes. Coarse: l = 4 compared with l = 3; medium: l = 2 and 4;
-// published: l = 1 and 2.
+// published: l = 1 and 2. Classes are those of the smaller spheres.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -133,23 +133,24 @@ void add_scaling(const Sizes& sizes, LabPlan& plan) {
 
 LabPlan plan_heap_on_plate(const LabSetting& setting) {
   const Sizes sizes = sizes_of(setting.size);
-  // Coarse: the classes are those of the larger spheres.
-  const double classes = setting.size == LabSize::coarse ? sizes.enlarged : sizes.reference;
   std::vector<Case> cases, steps;
-  for (const double friction : kFrictions) steps.push_back({friction, 1, classes});
+  for (const double friction : kFrictions) steps.push_back({friction, 1, sizes.reference});
   cases = steps;
-  for (const double friction : {0.0, 0.2})
-    cases.push_back({friction, 1, classes == sizes.enlarged ? sizes.reference : sizes.enlarged});
+  for (const double friction : {0.0, 0.2}) cases.push_back({friction, 1, sizes.enlarged});
   cases.push_back({0.2, 3, sizes.enlarged});
   LabPlan plan;
   for (const Case& one : cases) plan.runs.push_back(heap_of(one));
-  plan.quantities.push_back(quantity("AOR-02", "", {steps[1]},
+  const std::string stands = "angle of repose, l = " + plain(sizes.reference);
+  plan.quantities.push_back(quantity("AOR-02", stands, {steps[1]},
                                      [steps](const SeedResults& seed) { return angle_of(seed, steps[1]); }));
-  plan.quantities.push_back(quantity("AOR-range", "", steps, [steps](const SeedResults& seed) {
-    std::vector<double> angles;
-    for (const Case& one : steps) angles.push_back(angle_of(seed, one));
-    return share_of_statements(angles);
-  }));
+  plan.quantities.push_back(
+      quantity("AOR-range",
+               "classes at mu_r = 0 and 0.8 within 3 deg, steeper with mu_r, l = " + plain(sizes.reference),
+               steps, [steps](const SeedResults& seed) {
+                 std::vector<double> angles;
+                 for (const Case& one : steps) angles.push_back(angle_of(seed, one));
+                 return share_of_statements(angles);
+               }));
   add_scaling(sizes, plan);
   for (const Case& one : cases)
     plan.quantities.push_back({.id = "angle, " + name_of(one),

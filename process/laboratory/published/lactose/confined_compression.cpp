@@ -83,7 +83,7 @@ results::ExperimentChart load_chart(const std::vector<Lactose>& all, const SeedR
   chart.name = "confined_compression";
   chart.title = "Confined compression of lactose in five cycles";
   chart.subtitle = "Periodic beds, spheres of one size, calibrated sets (Kottlan 2018)";
-  chart.x = {.label = "Compression from 50 Pa on [%]"};
+  chart.x = {.label = "Compressive strain from 50 Pa [%]"};
   chart.y = {.label = "Stress on the plate [kPa]"};
   for (const Lactose& one : all) {
     if (!seed.has(one.bed.name)) continue;
@@ -101,10 +101,10 @@ results::ExperimentChart load_chart(const std::vector<Lactose>& all, const SeedR
 results::ExperimentChart pull_chart(const std::vector<Lactose>& all, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "tension";
-  chart.title = "Lactose pulled apart after compression";
+  chart.title = "Tensile test of lactose after compression";
   chart.subtitle = "Plate and floor glued, calibrated sets (Kottlan 2018)";
-  chart.x = {.label = "Way of the plate [d]"};
-  chart.y = {.label = "Pull on the plate [kPa]"};
+  chart.x = {.label = "Displacement of the plate [d]"};
+  chart.y = {.label = "Tensile stress on the plate [kPa]"};
   for (const Lactose& one : all) {
     if (!seed.has(one.bed.name)) continue;
     const PullCurve curve = pull_curve(seed, one.bed);

@@ -101,12 +101,12 @@ double discharged_at_the_end(const SeedResults& seed, const Hopper& hopper) {
 results::ExperimentChart chart_of(const std::vector<Hopper>& all, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "wedge_hopper";
-  chart.title = "Fine lactose over an open slot";
+  chart.title = "Discharge of fine lactose through a slot";
   chart.subtitle = "Wedge hopper, half angle of " +
                    plain(std::round(10 * published_hopper().half_angle) / 10) + " deg, slots of " +
                    plain(all[0].slot) + " and " + plain(all[1].slot) + " d (Kottlan 2018)";
-  chart.x = {.label = "Time since the gate left, over free fall through the slot's width [1]", .lower = 0};
-  chart.y = {.label = "Powder beyond the slot [%]", .lower = 0, .upper = 105};
+  chart.x = {.label = "Time since opening over free-fall time through the slot's width [1]", .lower = 0};
+  chart.y = {.label = "Discharged share of the powder [%]", .lower = 0, .upper = 105};
   for (const Hopper& hopper : all) {
     if (!seed.has(hopper.name)) continue;
     const TimeCurve curve = discharged(seed, hopper);

@@ -146,10 +146,10 @@ ExperimentChart stress_chart(const std::vector<NamedGroove>& all) {
 ExperimentChart section_chart(const NamedGroove& one, std::size_t number) {
   ExperimentChart chart;
   chart.name = "wire_sawing_section_" + std::to_string(number);
-  chart.title = "Slice across the wire: " + one.name;
+  chart.title = "Section across the wire: " + one.name;
   chart.subtitle = "Particles of fluid, grains, wire and ingot at the end of the run";
-  chart.x = {.label = "Across [um]", .lower = -170, .upper = 170};  // both axes to one scale
-  chart.y = {.label = "Height above the round bottom's middle [um]"};
+  chart.x = {.label = "Transverse coordinate [um]", .lower = -170, .upper = 170};  // both axes to one scale
+  chart.y = {.label = "Height above the centre of the round bottom [um]"};
   using Part = SectionPoint::Part;
   constexpr std::pair<Part, const char*> kParts[] = {
       {Part::fluid, "fluid"}, {Part::grain, "grains"}, {Part::tool, "wire and ingot"}};
@@ -168,10 +168,10 @@ ExperimentChart section_chart(const NamedGroove& one, std::size_t number) {
 ExperimentChart distance_chart(const std::vector<NamedGroove>& all) {
   ExperimentChart chart;
   chart.name = "wire_sawing_distance";
-  chart.title = "Distance of wire and ingot while the wire is pressed into the slurry";
+  chart.title = "Gap between wire and ingot while the wire is pressed into the slurry";
   chart.subtitle = "Grains of 6, 10, 14 and 20 um, 25 percent by volume";
   chart.x = {.label = "Time, reduced [1]"};
-  chart.y = {.label = "Wire to ingot [um]", .lower = 0};
+  chart.y = {.label = "Gap between wire and ingot [um]", .lower = 0};
   add_runs(all, Role::predicted, chart, [](const NamedGroove& one, ExperimentSeries& series) {
     const std::size_t every = std::max<std::size_t>(1, one.figures.time.size() / 200);
     for (std::size_t k = 0; k < one.figures.time.size(); k += every) {
@@ -185,7 +185,7 @@ ExperimentChart distance_chart(const std::vector<NamedGroove>& all) {
 ExperimentChart grain_chart(const std::vector<NamedGroove>& all) {
   ExperimentChart chart;
   chart.name = "wire_sawing_grains";
-  chart.title = "Grains under more than 5 N/mm2";
+  chart.title = "Grains at a stress above 5 N/mm2";
   chart.subtitle = "Share of the grains of each size, over the sampled steps";
   chart.x = {.label = "Grain size [um]"};
   chart.y = {.label = "Share of grains [1]", .lower = 0};

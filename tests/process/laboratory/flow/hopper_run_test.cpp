@@ -12,6 +12,25 @@ namespace {
 
 constexpr double kMm = 1e-3;
 
+TEST(Hopper, PartsOfSpheresBelowTheSlitCount) {
+  // Two spheres of 1 mm radius on an upright axis, touching.
+  results::PowderState powder;
+  powder.grain_diameter = 4 * kMm;
+  powder.sphere_radius = 1 * kMm;
+  powder.sphere_offsets = {{0, 0, 1 * kMm}, {0, 0, -1 * kMm}};
+  powder.orientation = {{1, 0, 0, 0}};
+  const auto below = [&](double z) {
+    powder.position = {{0, 0, z}};
+    return grains_below_slit(powder);
+  };
+  EXPECT_NEAR(below(2 * kMm), 0, 1e-12);  // stands on the slit's plane
+  EXPECT_NEAR(below(1 * kMm), 0.25, 1e-12);
+  EXPECT_NEAR(below(0), 0.5, 1e-12);
+  // A cap of half a radius: (1/2)^2 (1 - 1/6) of 4/3.
+  EXPECT_NEAR(below(1.5 * kMm), 0.5 * 0.25 * (5.0 / 6) * 0.75, 1e-12);
+  EXPECT_NEAR(below(-3 * kMm), 1, 1e-12);
+}
+
 TEST(Hopper, LetsPowderOutThroughItsSlitAlone) {
   HopperSetup setup;
   setup.powder = powder_preset("ASC100.29 initial D");

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "process/laboratory/layer_profile.h"
 #include "process/laboratory/published/perform.h"
 
@@ -34,6 +36,22 @@ TEST(ContactStatistics, ContactsAcrossAPeriodCount) {
   pair.period = {9.99e-3, 0, 0};  // 1.992 mm from image to image
   EXPECT_NEAR(contact_statistics(pair).contacts_a_grain, 1, 1e-12);
   EXPECT_NEAR(contact_statistics(pair).mean_overlap, 4e-3, 1e-9);
+}
+
+TEST(ContactStatistics, GrainsNearGroundAndTopAreLeftOut) {
+  // A column of twelve spheres, d = 2 mm; those in the middle overlap more.
+  std::vector<Eigen::Vector3d> places = {{0, 0, 1e-3}};
+  for (int k = 1; k < 12; ++k)
+    places.push_back({0, 0, places.back().z() + (k > 4 && k < 8 ? 1.996e-3 : 1.998e-3)});
+  const auto column = spheres(places);
+  const auto counts = away_from_ends(column, 3.9);  // 7.8 mm: the fifth to the eighth
+  EXPECT_EQ(std::count(counts.begin(), counts.end(), true), 4);
+  const auto all = contact_statistics(column, 2e-4), middle = contact_statistics(column, 2e-4, 3.9);
+  EXPECT_NEAR(all.contacts_a_grain, 22.0 / 12, 1e-12);
+  EXPECT_NEAR(middle.contacts_a_grain, 2, 1e-12);
+  // Of eight sides six are of a contact of 2e-3 d, two of one of 1e-3 d.
+  EXPECT_NEAR(middle.mean_overlap, 1.75e-3, 1e-9);
+  EXPECT_LT(all.mean_overlap, middle.mean_overlap);
 }
 
 TEST(LayerProfile, OfOneSphereIsItsCrossSections) {

@@ -47,5 +47,25 @@ TEST(HeapShape, TurnedAboutItIsTheSame) {
   EXPECT_NEAR(falling.peak, rising.peak, 1e-9);
 }
 
+TEST(SurfaceDrift, IsThatOfTheHighestGrainsAtRest) {
+  auto before = heap(1);
+  before.velocity.assign(before.position.size(), Eigen::Vector3d::Zero());
+  before.time = 2;
+  auto after = before;
+  after.time = 4;
+  for (auto& place : after.position) place.z() -= 0.6e-3;
+  const std::vector<Eigen::AlignedBox3d> box = {{Eigen::Vector3d(0, -1, -0.01), Eigen::Vector3d(1, 1, 1)}};
+  EXPECT_NEAR(surface_drift(before, after, box), 0.3, 1e-9);
+  // Grains that fall over the heap, and such as lie beside it, do not count.
+  for (double x = 0.01; x < 0.03; x += 1e-3) {
+    after.position.emplace_back(x, 0, 0.03);
+    after.velocity.emplace_back(0, 0, -0.5);
+  }
+  before.position.emplace_back(-0.005, 0, 0);
+  before.velocity.emplace_back(0, 0, 0);
+  EXPECT_NEAR(surface_drift(before, after, box), 0.3, 1e-9);
+  EXPECT_TRUE(std::isnan(surface_drift(before, after, {})));
+}
+
 }  // namespace
 }  // namespace diefill::process::laboratory

@@ -77,6 +77,19 @@ TEST(KeptResults, ThePageHasThemBesideWhatIsNew) {
   EXPECT_NE(page.find("| N02 |  | 0.59 (0.575 to 0.605) | 0.7 |"), std::string::npos) << page;
 }
 
+TEST(KeptResults, ThePageSaysWhatStandsInForThePublishedQuantity) {
+  std::vector<KeptResult> kept;
+  take_over(kept, {table("coarse", "N01", {0.58}, 10), table("medium", "N02", {0.6}, 10)});
+  // A later call without runs: the experiment's name of the quantity, no value.
+  auto measured = table("coarse", "N01", {}, 0);
+  measured.rows[0].quantity = "deviation, l = 8 from l = 4";
+  auto other = table("coarse", "N02", {}, 0);
+  other.rows[0].quantity = "of another size";
+  const std::string page = fidelity_page(kFigures, tables_with_kept(kept, {measured, other}), {});
+  EXPECT_NE(page.find("coarse, 1 seed; deviation, l = 8 from l = 4 |"), std::string::npos) << page;
+  EXPECT_EQ(page.find("of another size"), std::string::npos) << page;
+}
+
 TEST(KeptResults, AWrongLineIsNamed) {
   const support::TemporaryFolder folder;
   const std::string head = "id,size,values,d_mm,core_seconds,reason\n";

@@ -1,0 +1,16 @@
+// The program in commands that it prints for its user.
+#pragma once
+
+#include <cerrno>
+#include <string>
+
+#include "process/input/shell_word.h"
+
+namespace diefill::app {
+
+/// The word that started the program, for a shell: "diefill" where that was found on the PATH, else its path.
+inline std::string own_command() {
+  return process::shell_word(program_invocation_name);
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,88 @@
+// Experiments of the laboratory as measurements: which can be one, and with which powder their scenes run.
+#include <gtest/gtest.h>
+#include <toml++/toml.h>
+
+#include "process/calibration/measurement.h"
+#include "process/input/scene_error.h"
+#include "process/scene/scene_text.h"
+#include "project_paths.h"
+#include "tests/support/temporary_folder.h"
+
+namespace diefill::process::calibration {
+namespace {
+
+/// A calibrated powder with walls, before it is fitted again.
+class Experiments : public testing::Test {
+ protected:
+  Experiments() {
+    folder_.write("powder.toml", R"([powder]
+preset = "ASC100.29 D2"
+friction = 0.42
+
+[powder.fitted_with]
+grain_diameter = "1.88 mm"
+reduced_modulus = "10 MPa"
+wall_kind = "spheres"
+wall_sphere_radius = "0.15 mm"
+wall_spacing = 1.6
+
+[walls]
+sphere_radius = "0.15 mm"
+friction = 0.31
+)");
+  }
+  Measurement read(const std::string& experiment, const std::string& quantity,
+                   const std::string& unit = "") const {
+    const toml::table parsed =
+        toml::parse("[[measurement]]\nname = \"a\"\nkind = \"experiment\"\nexperiment = \"" + experiment +
+                    "\"\nscenes = \"" + DIEFILL_SOURCE_DIR + "/sample_tools/laboratory\"\nquantity = \"" +
+                    quantity + "\"\nvalue = \"0.5" + unit + "\"\ndeviation = \"0.1" + unit + "\"\n");
+    TableReader document(parsed, folder_.path() / "calibration.toml", "");
+    return read_measurements(document, {folder_.path() / "powder.toml"}).at(0);
+  }
+  std::string complaint(const std::string& experiment, const std::string& quantity) const {
+    try {
+      read(experiment, quantity);
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "no complaint";
+  }
+  /// The document of its only run.
+  static toml::table scene_of(const Measurement& measurement) {
+    EXPECT_EQ(measurement.runs.size(), 1U);
+    return parse_scene_text(measurement.runs.front().text, measurement.runs.front().file);
+  }
+
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(Experiments, WithoutScenesAreRefused) {
+  for (const char* experiment : {"closed_forms", "hopper_design", "wire_sawing"}) {
+    const std::string said = complaint(experiment, "V04");
+    EXPECT_NE(said.find("found \"" + std::string(experiment) + "\""), std::string::npos) << said;
+    EXPECT_NE(said.find("this experiment runs no scenes, which take a powder"), std::string::npos) << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  }
+  EXPECT_NE(complaint("clump_collision", "B01").find("powders of its own"), std::string::npos);
+}
+
+TEST_F(Experiments, TakeTheStartingPowderWithItsWalls) {
+  const toml::table scene = scene_of(read("mean_fractions", "settled"));
+  EXPECT_EQ(scene["powder"]["friction"].value<double>(), 0.42);
+  EXPECT_EQ(scene["walls"]["friction"].value<double>(), 0.31);
+  EXPECT_FALSE(scene["powder"].as_table()->contains("file"));
+  EXPECT_FALSE(scene["powder"].as_table()->contains("fitted_with"));
+}
+
+TEST_F(Experiments, KeepTheFrictionAndModulusThatTheyVary) {
+  const toml::table walls =
+      scene_of(read("wall_discharge", "discharged area, mu_w = 0.25, spacing 1.6 R_w", " mm^2"));
+  EXPECT_EQ(walls["walls"]["friction"].value<double>(), 0.25);
+  EXPECT_EQ(walls["powder"]["friction"].value<double>(), 0.42);
+  const toml::table stiff = scene_of(read("youngs_modulus", "fraction, E = 1000000000 Pa"));
+  EXPECT_EQ(stiff["powder"]["reduced_modulus"].value<std::string>(), "1000000000 Pa");
+}
+
+}  // namespace
+}  // namespace diefill::process::calibration

@@ -1,0 +1,30 @@
+// What the powder's uncertainty does, told apart from the scatter over seeds or not.
+#include "process/results/studies/powder_spread.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "process/results/studies/quantiles.h"
+
+namespace diefill::results {
+namespace {
+
+TEST(PowderSpread, IsANumberOnlyWhereItIsToldApartFromSeeds) {
+  SpreadFigure figure{"filled_mass_kg", "filled mass", "g", {}, {}, 12.1, 0.1, 12.1, 0.32, 0.3, true};
+  EXPECT_EQ(spread_text(figure), "filled mass 12.1 g: +-0.3 g by the powder, +-0.1 g over seeds");
+  figure.told_apart = false;
+  EXPECT_EQ(spread_text(figure),
+            "filled mass 12.1 g: +-0.1 g over seeds; what is by the powder is not told apart from seeds");
+  figure.powder = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(spread_text(figure), "filled mass 12.1 g: +-unknown g by the powder, +-0.1 g over seeds");
+}
+
+TEST(PowderSpread, VarianceRatiosOfChanceAreThoseOfFishersTable) {
+  EXPECT_NEAR(variance_ratio_exceeded(2, 1, 0.1), 49.5, 0.01);
+  EXPECT_NEAR(variance_ratio_exceeded(11, 3, 0.1), 5.222, 0.01);
+  EXPECT_NEAR(variance_ratio_exceeded(4, 10, 0.1), 2.605, 0.001);
+}
+
+}  // namespace
+}  // namespace diefill::results

@@ -1,0 +1,163 @@
+// When an estimate gives an answer, and why there is none.
+#include <gtest/gtest.h>
+
+#include "process/estimate/limits.h"
+#include "process/estimate/trapped_air.h"
+#include "tests/process/estimate/estimate_scene.h"
+
+namespace diefill::process::estimate {
+namespace {
+
+constexpr double kMm = 1e-3;
+constexpr const char* kSquare = "small_dies/square.toml";
+const std::pair<std::string, std::string> kSlow = {"velocity = \"0.2 m/s\"", "velocity = \"0.02 m/s\""};
+
+void expect_open(const Estimate& found, const std::string& because) {
+  EXPECT_EQ(found.answer, Answer::open);
+  ASSERT_FALSE(found.open_because.empty());
+  EXPECT_TRUE(says(found.open_because.front(), because)) << found.open_because.front();
+  EXPECT_TRUE(says(answer_said(found), because)) << answer_said(found);
+  EXPECT_FALSE(says(answer_said(found), "No simulation is needed")) << answer_said(found);
+  EXPECT_EQ(in_short(found).size(), 1U);
+}
+
+TEST(EstimateAnswer, WithinTheRangeNeedsNoSimulation) {
+  const Estimate found = estimated(kSquare, {kSlow});
+  EXPECT_EQ(found.answer, Answer::fills) << answer_said(found);
+  EXPECT_TRUE(found.open_because.empty());
+  EXPECT_TRUE(says(answer_said(found), "with grains of 2.35 mm fills every cavity")) << answer_said(found);
+}
+
+TEST(EstimateAnswer, OfGrainsBeyondTheRangeIsOpen) {
+  expect_open(estimated("circular_cavity/fill.toml"),
+              "grains of 1.88 mm are 0.48 of the width of the cavity");
+}
+
+TEST(EstimateAnswer, OfPowderThatIsTooShallowIsOpen) {
+  expect_open(estimated(kSquare, {{"fill_height = \"12 mm\"", "fill_height = \"8 mm\""}}),
+              "powder is 8 mm deep in the shoe, at least 12 mm");
+}
+
+TEST(EstimateAnswer, OfAShoeBeyondTheRangeIsOpen) {
+  expect_open(
+      estimated("small_dies/slot.toml", {{"velocity = \"0.2 m/s\"", "velocity = \"4 m/s\""},
+                                         {"acceleration = \"10 m/s^2\"", "acceleration = \"10000 m/s^2\""}}),
+      "sqrt(g D) over the cavity, at most 5");
+}
+
+TEST(EstimateAnswer, OfACavityThatNarrowsBelowIsOpen) {
+  const std::pair<std::string, std::string> fine = {"grain_diameter = \"0.94 mm\"",
+                                                    "grain_diameter = \"1.88 mm\""};
+  expect_open(estimated("stepped_ring/fill.toml", {fine}), "to which the cavity narrows, at most 0.43");
+  Estimate found = estimated("stepped_ring/fill.toml", {fine});
+  OpeningEstimate& cavity = found.openings.at(0);
+  cavity.narrowest = 0.9 * (cavity.width - cavity.effective_width);
+  EXPECT_TRUE(says(too_coarse(found, cavity), "which narrows to")) << too_coarse(found, cavity);
+}
+
+TEST(EstimateAnswer, WhereAirSlowsTheFillingIsOpen) {
+  EstimateOptions fine;
+  fine.particle_diameter = 2e-5;
+  const Estimate found = estimated(kSquare, {kSlow}, fine);
+  EXPECT_GT(found.openings.at(0).air_ratio, kAirSlows);
+  expect_open(found, "air slows the filling");
+}
+
+/// Two places of one cavity, 10 mm deep, over which powder stands at the given times.
+Estimate with_exposures(const Exposure& one, const Exposure& other, std::optional<double> opens = {}) {
+  OpeningLayout layout;
+  layout.places.resize(2);
+  ShoePath path;
+  path.crossings = 1;
+  path.exposures = {{one}, {other}};
+  for (OpeningPatch& place : layout.places) {
+    place.area = 1e-5;
+    place.opens = opens;
+  }
+  Estimate found;
+  found.openings.resize(1);
+  found.openings[0].area = 2e-5;
+  found.openings[0].depth = 10 * kMm;
+  find_trapped_air(layout, path, 0, 0.1, found.openings[0]);
+  return found;
+}
+
+TEST(TrappedAir, IsThatOfTheTimeInWhichPowderCoversTheWholeCavity) {
+  const auto both = with_exposures({0, 0.2, 0.2, 0, 0}, {0, 0.2, 0.2, 0, 0}).openings.at(0);
+  EXPECT_NEAR(both.air_trapped, 1, 1e-12);
+  EXPECT_NEAR(both.air_ratio, 0.1 / 0.2, 1e-12);
+  const auto half = with_exposures({0, 0.2, 0.2, 0, 0}, {0.1, 0.2, 0.2, 0, 0}).openings.at(0);
+  EXPECT_NEAR(half.air_trapped, 0.5, 1e-12);
+  EXPECT_NEAR(half.air_ratio, 0.5 * both.air_ratio, 1e-12);
+}
+
+TEST(TrappedAir, IsNoneInACavityLongerThanTheShoeOrFilledByAPunchAtFirst) {
+  EXPECT_FALSE(with_exposures({0, 0.2, 0.2, 0, 0}, {0.3, 0.2, 0.2, 0, 0}).openings.at(0).air_escapes);
+  EXPECT_FALSE(with_exposures({0, 0.2, 0.2, 0, 0}, {0, 0.2, 0.2, 0, 0}, 0.0).openings.at(0).air_escapes);
+  EXPECT_FALSE(estimated("narrow_ring/strategies/volumetric.toml").openings.at(0).air_escapes);
+}
+
+TEST(EstimateAnswer, OfAShoeWithTooLittlePowderIsOpenAndEarlierCrossingsStayAsTheyAre) {
+  const std::pair<std::string, std::string> six = {"passages = 1", "passages = 6"};
+  const std::pair<std::string, std::string> little = {"fill_height = \"12 mm\"", "fill_height = \"1.5 mm\""};
+  const Estimate enough = estimated(kSquare, {six}), starved = estimated(kSquare, {six, little});
+  ASSERT_LT(enough.openings.at(0).mass.front(), starved.powder.in_shoe);
+  ASSERT_GT(enough.openings[0].mass.back(), starved.powder.in_shoe);
+  EXPECT_TRUE(starved.starved);
+  EXPECT_NEAR(starved.openings.at(0).mass.front(), enough.openings[0].mass.front(), 1e-12);
+  EXPECT_NEAR(starved.openings[0].mass.back(), starved.powder.in_shoe, 1e-9);
+  expect_open(starved, "the shoe holds less powder than the openings take");
+  const Estimate refilled = estimated(kSquare, {six, little, {"[numerics]", R"([[step]]
+kind = "inflow"
+from = ["11 mm", "-6 mm", "5 mm"]
+to = ["35 mm", "6 mm", "24 mm"]
+mass = "20 g"
+
+[numerics])"}});
+  EXPECT_NEAR(refilled.powder.let_in, 0.02, 1e-12);
+  EXPECT_FALSE(refilled.starved);
+}
+
+TEST(EstimateAnswer, TellsOfTheGrainsAndOfThePowdersOwnParticles) {
+  const Estimate found = estimated(kSquare);
+  const OpeningEstimate& cavity = found.openings.at(0);
+  ASSERT_TRUE(cavity.own_share && cavity.own_speed_once && cavity.speed_once);
+  EXPECT_GT(*cavity.own_share, cavity.share);
+  EXPECT_GT(*cavity.own_speed_once, *cavity.speed_once);
+  EXPECT_TRUE(says(all_said(found), "for one crossing with grains of 2.35 mm"));
+  EXPECT_TRUE(says(all_said(found), "particles of the powder's own size, 0.1 mm"));
+}
+
+TEST(EstimateAnswer, SaysWhichCavityAndWhere) {
+  const Estimate found = estimated("small_dies/pair.toml");
+  EXPECT_EQ(found.openings.at(1).name, "cavity 2");
+  EXPECT_TRUE(says(answer_said(found), "cavity 2 at x = -9 mm, y = 0 mm")) << answer_said(found);
+  EXPECT_TRUE(says(in_short(found).at(1), "cavity 2 at x = -9 mm, y = 0 mm does not fill"));
+  EXPECT_TRUE(says(all_said(found), "filling: cavity 1 at x = 6 mm, y = 0 mm: "));
+}
+
+TEST(EstimateAnswer, SaysWhichCavityIsNotSeenFromAbove) {
+  const Scene scene = sample("small_dies/pair.toml", {kSlow});
+  Tooling tooling = read_tooling(scene);
+  geometry::Cavity hidden = tooling.other_cavities.at(0);
+  hidden.box.lower.head<2>() += Eigen::Vector2d(0, 100 * kMm);
+  hidden.box.upper.head<2>() += Eigen::Vector2d(0, 100 * kMm);
+  hidden.axis_origin.y() += 100 * kMm;
+  tooling.other_cavities.push_back(hidden);
+  const Estimate found = estimate(scene, tooling);
+  ASSERT_EQ(found.unseen.size(), 1U);
+  EXPECT_TRUE(says(all_said(found), "cavity 3 at x = -9 mm, y = 100 mm was not seen from above"))
+      << all_said(found);
+  EXPECT_EQ(found.openings.size(), 2U);
+  EXPECT_NE(found.answer, Answer::fills);
+}
+
+TEST(EstimateAnswer, OfASlitIsTheMassThatRunsThrough) {
+  const Estimate found = estimated("slit_plate/discharge_6mm.toml");
+  const std::string said = answer_said(found);
+  EXPECT_TRUE(says(said, "run through the slit in one crossing at 0.18 m/s")) << said;
+  EXPECT_TRUE(says(said, "with the uncertainty")) << said;
+}
+
+}  // namespace
+}  // namespace diefill::process::estimate
