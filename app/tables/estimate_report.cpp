@@ -146,7 +146,7 @@ Json estimate_as_json(const estimate::Estimate& found) {
                {"shoe",
                 {{"tool", found.path.tool},
                  {"speed_m_per_s", found.path.speed},
-                 {"stands_s", found.path.standing},
+                 {"dwell_s", found.path.standing},
                  {"length_m", found.path.length},
                  {"crossings", found.path.crossings}}},
                {"cycle_time_s", number(found.cycle_time)},

@@ -42,7 +42,7 @@ Subject subject(const Estimate& estimate, const OpeningEstimate& opening) {
   if (!(estimate.path.speed > 0)) return {"the shoe standing over it" + grains, false};
   std::string words = times(opening.offered.size()) + results::formatted(" at %.3g m/s", estimate.path.speed);
   if (estimate.path.standing > kWorthAWord)
-    words += results::formatted(" and a stand of %.2g s", estimate.path.standing);
+    words += results::formatted(" and a dwell of %.2g s", estimate.path.standing);
   return {words + grains, opening.offered.size() > 1};
 }
 

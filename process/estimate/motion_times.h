@@ -8,7 +8,7 @@
 namespace diefill::process::estimate {
 
 /// s, rising, from the scene's start on: `dense` of a step, as instants(), and besides them the end of the
-/// poured powder's settling, the begin of every step that moves a tool, which ends a stand, and every
+/// poured powder's settling, the begin of every step that moves a tool, which ends a dwell, and every
 /// crossing of very many passages, which add up in a cavity though they go the same way.
 std::vector<double> motion_times(const Stages& stages, const std::vector<StepState>& states, int dense);
 

@@ -47,7 +47,7 @@ velocity = "0.2 m/s"
   EXPECT_GT(found.openings.at(0).share, 0.3);
   ASSERT_TRUE(found.openings[0].speed_once);
   const std::string said = all_said(found);
-  EXPECT_TRUE(says(said, "and a stand of 0.02 s")) << said;
+  EXPECT_TRUE(says(said, "and a dwell of 0.02 s")) << said;
   for (const char* wrong : {"standing over it", "does not fill in 100", "widen the opening"})
     EXPECT_FALSE(says(said, wrong)) << said;
 }
