@@ -29,13 +29,21 @@ double place_at(const ParameterRange& range, double node) {
   return range.place_of(range.logarithmic ? std::pow(10, node) : node);
 }
 
-/// chi^2 with two parameters held, least over the others.
-double least_chi_square(const Likelihood& likelihood, const Eigen::VectorXd& best, Eigen::Index i,
-                        Eigen::Index j, double at_i, double at_j) {
+/// chi^2 of the best powder, and what -2 ln(likelihood) is above its least value at a place of the unit cube.
+/// Unlike chi^2 itself it is no smaller where the emulators know little: it is least at the best powder, and
+/// the region ends where it reaches one value.
+double misfit_at(const Fit& fit, const Eigen::VectorXd& place) {
+  const double above = 2 * (fit.region.best_log - fit.likelihood->log_at(place));
+  return fit.likelihood->chi_square(fit.region.best) + std::max(0.0, above);
+}
+
+/// The same with two parameters held, least over the others.
+double least_misfit(const Fit& fit, Eigen::Index i, Eigen::Index j, double at_i, double at_j) {
+  const Eigen::VectorXd& best = fit.region.best;
   Eigen::VectorXd place = best;
   place[i] = at_i;
   place[j] = at_j;
-  if (best.size() == 2) return likelihood.chi_square(place);
+  if (best.size() == 2) return misfit_at(fit, place);
   std::vector<Eigen::Index> free;
   for (Eigen::Index d = 0; d < best.size(); ++d)
     if (d != i && d != j) free.push_back(d);
@@ -44,7 +52,7 @@ double least_chi_square(const Likelihood& likelihood, const Eigen::VectorXd& bes
   for (Eigen::Index k = 0; k < count; ++k) start[k] = best[free[static_cast<std::size_t>(k)]];
   const auto objective = [&](const Eigen::VectorXd& others) {
     for (Eigen::Index k = 0; k < count; ++k) place[free[static_cast<std::size_t>(k)]] = others[k];
-    return likelihood.chi_square(place);
+    return misfit_at(fit, place);
   };
   return minimum_near(objective, start, Eigen::VectorXd::Zero(count), Eigen::VectorXd::Ones(count), 40).value;
 }
@@ -82,7 +90,7 @@ void add_parameters(results::Calibration& account, const CalibrationPlan& plan,
   const std::size_t count = plan.parameters.size();
   std::vector<std::vector<ProfilePoint>> along;
   if (fit)
-    along = profiles([&](const Eigen::VectorXd& at) { return fit->likelihood->chi_square(at); },
+    along = profiles([&](const Eigen::VectorXd& at) { return misfit_at(*fit, at); },
                      static_cast<Eigen::Index>(count), kProfilePlaces);
   for (std::size_t k = 0; k < count; ++k) {
     const ParameterRange& range = plan.parameters[k];
@@ -128,15 +136,14 @@ void add_maps(results::Calibration& account, const CalibrationPlan& plan, const 
   const std::size_t count = plan.parameters.size();
   const int nodes = count == 2 ? kMapNodes : kMapNodesOfMany;
   const double data = static_cast<double>(fit.likelihood->data());
-  // chi^2 of two parameters exceeds its least value by -2 ln(1 - share) at the edge of what holds the share.
-  account.map_edge = std::sqrt((account.chi_square - 2 * std::log(1 - fit.region.share)) / data);
+  account.map_edge =
+      std::sqrt((account.chi_square + 2 * (fit.region.best_log - fit.region.threshold)) / data);
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = i + 1; j < count; ++j) {
       const auto residual = [&](double a, double b) {
-        const double chi = least_chi_square(*fit.likelihood, fit.region.best, static_cast<Eigen::Index>(i),
-                                            static_cast<Eigen::Index>(j), place_at(plan.parameters[i], a),
-                                            place_at(plan.parameters[j], b));
-        return std::sqrt(chi / data);
+        const double misfit = least_misfit(fit, static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j),
+                                           place_at(plan.parameters[i], a), place_at(plan.parameters[j], b));
+        return std::sqrt(misfit / data);
       };
       account.maps.push_back(residual_map("misfit in standard deviations", axis_of(plan.parameters[i], nodes),
                                           axis_of(plan.parameters[j], nodes), residual));

@@ -68,9 +68,12 @@ Figure profile_picture(const results::CalibratedParameter& parameter, std::size_
   chart.y.label = "Misfit in standard deviations";
   chart.y.lower = 0;
   Curve curve{"", parameter.profile_at, {}, CurveStyle::kLine, {}};
-  for (const double chi : parameter.profile) curve.y.push_back(std::sqrt(chi / static_cast<double>(data)));
+  for (const double misfit : parameter.profile)
+    curve.y.push_back(std::sqrt(misfit / static_cast<double>(data)));
   chart.curves = {curve};
-  chart.note = "Square root of chi^2 over the number of values: about 1 where the powder agrees";
+  chart.note =
+      "Root of chi^2 plus what -2 ln(likelihood) rises, over the number of values: about 1 where the powder "
+      "agrees";
   return chart_picture(chart, "misfit along " + parameter.key);
 }
 

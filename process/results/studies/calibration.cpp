@@ -22,7 +22,7 @@ Json entry(const CalibratedParameter& parameter) {
           {"lower_90", json_number(parameter.lower)},
           {"upper_90", json_number(parameter.upper)},
           {"profile_at", json_numbers(parameter.profile_at)},
-          {"profile_chi_square", json_numbers(parameter.profile)}};
+          {"profile_misfit", json_numbers(parameter.profile)}};
 }
 
 Json entry(const CalibrationDatum& datum, const CalibratedMeasurement& measurement) {

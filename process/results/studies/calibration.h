@@ -21,7 +21,7 @@ struct CalibratedParameter {
   double best = 0;              ///< where the likelihood is largest; NaN: not known
   double lower = 0, upper = 0;  ///< interval that holds 90 % of what agrees with the data
   std::vector<double> profile_at,
-      profile;  ///< chi^2 with the parameter held there and all others at their best
+      profile;  ///< misfit with the parameter held there and all others at their best
 };
 
 /// One measured value beside what is simulated. NaN: no value.
@@ -106,9 +106,10 @@ struct Calibration {
   std::vector<CalibrationPoint> points;
   std::vector<std::vector<double>> correlation;  ///< of the parameters over the region
   std::vector<std::vector<double>> samples;      ///< some parameters that agree, in their units
-  std::vector<Field2D> maps;                     ///< chi^2 over two parameters, all others at their best
-  /// What `maps` have at the edge of the region of two parameters that holds 90 %; NaN: not known. Not
-  /// stored.
+  /// Root of the misfit over the number of values, over two parameters, all others at their best. Misfit:
+  /// chi^2 of the best powder plus what -2 ln(likelihood) is above its least value.
+  std::vector<Field2D> maps;
+  /// What `maps` have at the edge of the region that holds 90 %; NaN: not known. Not stored.
   double map_edge = std::numeric_limits<double>::quiet_NaN();
   std::vector<Field2D> residual_maps;   ///< epsilon^2 of curves, the same way
   std::vector<MeasurementWorth> worth;  ///< what helps most first

@@ -6,6 +6,7 @@
 #include "process/input/scene_error.h"
 #include "process/scene/scene_text.h"
 #include "project_paths.h"
+#include "tests/process/fitted_with.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::process::calibration {
@@ -18,15 +19,7 @@ class Experiments : public testing::Test {
     folder_.write("powder.toml", R"([powder]
 preset = "ASC100.29 D2"
 friction = 0.42
-
-[powder.fitted_with]
-grain_diameter = "1.88 mm"
-reduced_modulus = "10 MPa"
-wall_kind = "spheres"
-wall_sphere_radius = "0.15 mm"
-wall_spacing = 1.6
-
-[walls]
+)" + kFittedWith + R"([walls]
 sphere_radius = "0.15 mm"
 friction = 0.31
 )");

@@ -5,6 +5,7 @@
 
 #include "process/calibration/powder_samples.h"
 #include "process/scene/powder_file.h"
+#include "tests/process/fitted_with.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
 
@@ -56,15 +57,7 @@ TEST(PowderSamples, ThatVaryTheStiffnessAreNotWarnedOfIt) {
   std::ofstream(folder.path() / "powder.toml") << R"([powder]
 preset = "ASC100.29 D2"
 friction = 0.42
-
-[powder.fitted_with]
-grain_diameter = "1.88 mm"
-reduced_modulus = "10 MPa"
-wall_kind = "spheres"
-wall_sphere_radius = "0.15 mm"
-wall_spacing = 1.6
-
-[calibration]
+)" + kFittedWith + R"([calibration]
 samples = [[9.0], [12.0]]
 
 [[calibration.parameter]]

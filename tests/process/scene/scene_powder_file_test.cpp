@@ -6,6 +6,7 @@
 #include "process/scene/contact_spec.h"
 #include "process/scene/powder_file.h"
 #include "process/scene/variants.h"
+#include "tests/process/fitted_with.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
 
@@ -16,15 +17,7 @@ const std::string kPowderFile = R"([powder]
 preset = "ASC100.29 D2"
 friction = 0.42
 work_of_adhesion = "0.02 J/m^2"
-
-[powder.fitted_with]
-grain_diameter = "1.88 mm"
-reduced_modulus = "10 MPa"
-wall_kind = "spheres"
-wall_sphere_radius = "0.15 mm"
-wall_spacing = 1.6
-
-[walls]
+)" + kFittedWith + R"([walls]
 friction = 0.2
 
 [calibration]

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "process/setup/setup_findings.h"
+#include "tests/process/fitted_with.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
 
@@ -15,14 +16,7 @@ bool warned(const std::string& modulus) {
   const SceneFolder folder;
   std::ofstream(folder.path() / "powder.toml") << R"([powder]
 preset = "ASC100.29 D2"
-
-[powder.fitted_with]
-grain_diameter = "1.88 mm"
-reduced_modulus = "10 MPa"
-wall_kind = "spheres"
-wall_sphere_radius = "0.15 mm"
-wall_spacing = 1.6
-)";
+)" + kFittedWith;
   const Scene scene = read_scene(
       folder.write(support::exchanged(faultless_scene(), "preset = \"Distaloy AE\"\n",
                                       "file = \"powder.toml\"\nreduced_modulus = \"" + modulus + "\"\n")));
