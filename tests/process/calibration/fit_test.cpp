@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "process/calibration/calibration_results.h"
 #include "tests/process/calibration/made_up_runs.h"
 
@@ -74,6 +77,23 @@ TEST(CalibrationWords, SimulationsThatAreTooFewAreNamedBesideTheAgreement) {
     add_point(many, "start", 0.04 + 0.08 * k, {{100 * std::pow(0.04 + 0.08 * k, 2)}});
   const auto enough = calibration_results(made_up.plan, many, fit_points(made_up.plan, many));
   EXPECT_FALSE(has_line(enough.remarks, "too few"));
+}
+
+TEST(Profiles, AreLeastAtTheBestPowderAlsoWhereEmulatorsKnowLittle) {
+  MadeUpCalibration made_up;
+  made_up.add("slit", {4}, 0.05);
+  SimulatedPoints simulated;  // none beyond 0.6
+  for (const double x : {0.05, 0.2, 0.3, 0.38, 0.43, 0.6})
+    add_point(simulated, "start", x, {{10 * x + 0.2 * std::sin(40 * x)}});
+  const auto fit = fit_points(made_up.plan, simulated);
+  ASSERT_TRUE(fit);
+  const auto account = calibration_results(made_up.plan, simulated, fit);
+  const auto& along = account.parameters.at(0);
+  const auto least = std::min_element(along.profile.begin(), along.profile.end());
+  const auto at = along.profile_at.at(static_cast<std::size_t>(least - along.profile.begin()));
+  const double node = along.profile_at[1] - along.profile_at[0];
+  EXPECT_NEAR(at, along.best, node);
+  EXPECT_GE(*least, account.chi_square);
 }
 
 TEST(CalibrationWords, ACheckHasAVerdictAndAWorthWhereItWasRunOftenEnough) {
