@@ -79,10 +79,10 @@ TEST(CalibrationWords, SimulationsThatAreTooFewAreNamedBesideTheAgreement) {
   EXPECT_FALSE(has_line(enough.remarks, "too few"));
 }
 
-TEST(Profiles, AreLeastAtTheBestPowderAlsoWhereEmulatorsKnowLittle) {
+TEST(Profiles, OfACalibrationAreLeastAtItsBestPowder) {
   MadeUpCalibration made_up;
   made_up.add("slit", {4}, 0.05);
-  SimulatedPoints simulated;  // none beyond 0.6
+  SimulatedPoints simulated;
   for (const double x : {0.05, 0.2, 0.3, 0.38, 0.43, 0.6})
     add_point(simulated, "start", x, {{10 * x + 0.2 * std::sin(40 * x)}});
   const auto fit = fit_points(made_up.plan, simulated);
