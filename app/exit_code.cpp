@@ -39,9 +39,9 @@ int guarded(const std::function<int()>& action) {
   } catch (const process::Interrupted& stop) {
     return complain(stop.what(), kInterrupted);
   } catch (const nlohmann::json::exception& error) {
-    const std::string wrong = std::string("a JSON text is not as it should be: ") + error.what() +
-                              "; check the JSON files that the command reads, and names of files for bytes "
-                              "that are no UTF-8";
+    const std::string wrong = std::string("invalid JSON: ") + error.what() +
+                              "; check the JSON files that the command reads, and that file names are valid "
+                              "UTF-8";
     return complain(wrong.c_str(), kBadInput);
   } catch (const std::bad_alloc&) {
     return complain("out of memory: use larger grains or larger wall spheres", kFailed);

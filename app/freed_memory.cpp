@@ -1,6 +1,6 @@
 #include "app/freed_memory.h"
 
-#include <cstdlib>  // says whether this is GNU's C library
+#include <cstdlib>  // defines __GLIBC__ with the GNU C library
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif

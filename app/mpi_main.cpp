@@ -20,11 +20,11 @@ using namespace diefill;
 const char* refusal(int argc, char** argv, int ranks) {
   // Other commands start programs of their own, which must not be ranks.
   if (argc > 1 && argv[1][0] != '-' && std::string_view(argv[1]) != "run")
-    return "diefill-mpi has the command run only; take diefill for others";
+    return "diefill-mpi supports only the command run; use diefill for the others";
   const char* tasks = std::getenv("SLURM_STEP_NUM_TASKS");
   const bool alone = ranks == 1 && std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr;
   if (alone && tasks != nullptr && std::atoi(tasks) > 1)
-    return "Slurm started several tasks that do not know each other: start them with srun --mpi=pmix";
+    return "Slurm started the tasks as separate programs of one rank each; start them with srun --mpi=pmix";
   return nullptr;
 }
 

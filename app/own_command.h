@@ -1,4 +1,4 @@
-// The program in commands that it prints for its user.
+// How to call this program, for the commands that it prints for the user.
 #pragma once
 
 #include <cerrno>

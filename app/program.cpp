@@ -16,8 +16,8 @@ namespace diefill::app {
 
 namespace {
 
-/// What is wrong with the words of the command line, on one line. A word that is unknown comes first: what
-/// else is wrong may follow from it.
+/// The error in the command-line arguments, on one line. An unknown argument comes first, because other
+/// errors may follow from it.
 std::string in_one_line(const CLI::App* program, const CLI::Error& error) {
   constexpr std::size_t kLongest = 1200;
   std::string command = "diefill";
@@ -29,7 +29,7 @@ std::string in_one_line(const CLI::App* program, const CLI::Error& error) {
   return process::one_line(wrong, kLongest) + "; " + command + " --help lists the options\n";
 }
 
-/// Whether a word is empty; says so on standard error.
+/// Whether an argument is empty; if so, prints a message to standard error.
 bool refuse_empty_word(int argc, char** argv) {
   const auto wrong = empty_argument({argv + std::min(argc, 1), argv + argc});
   if (wrong) std::fprintf(stderr, "diefill: %s\n", process::one_line(*wrong, 600).c_str());

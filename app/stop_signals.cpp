@@ -19,7 +19,7 @@ bool is_ignored(int signal) {
 }  // namespace
 
 const std::atomic<bool>& install_stop_handlers() {
-  // A shell has what runs in the background ignore SIGINT, by which a comparison stops its runs.
+  // Shells start background processes with SIGINT ignored, but a comparison stops its runs with SIGINT.
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, ask_to_stop);
   for (const int signal : {SIGHUP, SIGPIPE, SIGXFSZ, SIGXCPU})
     if (!is_ignored(signal)) std::signal(signal, ask_to_stop);

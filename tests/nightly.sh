@@ -5,7 +5,7 @@
 #   sh tests/nightly.sh asan slow  some of them:
 # tests         tests/run.sh
 # tidy          clang-tidy on sources changed since DIEFILL_SINCE (default: the last commit that is older than a day)
-# slow          slow physics checks and the worked examples
+# slow          slow physics checks, on ranks too, and the worked examples
 # asan, tsan    all tests under the sanitizers
 # package       Debian packages, tried in a minimal system; as root
 # race          speed against the program `benchmarks` of an earlier build, which DIEFILL_EARLIER names (default:

@@ -155,7 +155,7 @@ process::laboratory::BenchmarkBedState wanted_bed(const BenchOptions& options) {
   return bed;
 }
 
-/// The words of the command line that tell of a bed or scene.
+/// The command-line arguments that select the bed or scene.
 std::vector<std::string> words_of_bench(const BenchOptions& options) {
   std::vector<std::string> words = {"bench", options.bed, "--steps", std::to_string(options.steps)};
   const auto add = [&](const std::string& name, const std::string& value) {
@@ -170,7 +170,7 @@ std::vector<std::string> words_of_bench(const BenchOptions& options) {
   return words;
 }
 
-/// The same measurement with the words of the command line.
+/// Measures threads against copies with the same command-line arguments.
 int against_copies(const BenchOptions& options) {
   CopiesBenchmark benchmark;
   benchmark.words = words_of_bench(options);
@@ -180,14 +180,14 @@ int against_copies(const BenchOptions& options) {
   return compare_with_copies(benchmark);
 }
 
-/// What is only said of beds.
+/// Refuses options that apply to beds only.
 void reject_bed_options(const BenchOptions& options) {
   if (options.trace || options.width > 0 || options.copies > 1 || options.law != "bierwisch")
     throw process::SceneError("bench: " + options.bed +
                               " is a scene: --law, --width, --copies and --trace are for beds; remove them");
   if (!options.state)
     throw process::SceneError("bench: " + options.bed +
-                              " is a scene: --state must name the directory of a stopped run of it");
+                              " is a scene: --state must name the directory of a stopped run of this scene");
 }
 
 /// Throws process::SceneError where the trace cannot be written, or would overwrite the bed that it starts
@@ -245,12 +245,13 @@ void add_bench(CLI::App& program, Action& chosen) {
                    "spheres, clumps (model D), or a scene file (TOML) with the --state of a run of it")
       ->required()
       ->check(one_of({"spheres", "clumps"}) | CLI::ExistingFile);
-  command->add_option("--law", options->law, "contact law: the tuned one, or one composed of parts")
+  command
+      ->add_option("--law", options->law, "contact law: bierwisch (the tuned one), or one composed of parts")
       ->check(one_of(process::laboratory::benchmark_laws()))
       ->capture_default_str();
   command
       ->add_option("--state", options->state,
-                   "settled bed to start from (CSV, plain or gzip; default: generate one); of a scene, the "
+                   "settled bed to start from (CSV, plain or gzip; default: generate one); for a scene, the "
                    "directory of a stopped run")
       ->check(CLI::ExistingPath);
   command->add_option("--width", options->width, "side in mm of the periodic box of --state")
@@ -269,9 +270,9 @@ void add_bench(CLI::App& program, Action& chosen) {
       ->check(whole_number(1000, 20000000));
   command->add_option("--threads", options->threads, "threads")->check(whole_number(1, 1024));
   command->add_option("--steps", options->steps, "steps to time")->check(whole_number(1, 100000000));
-  auto* copies =
-      command->add_flag("--against-copies", options->against_copies,
-                        "time N threads and N pinned programs of one thread in turns (N: --threads)");
+  auto* copies = command->add_flag(
+      "--against-copies", options->against_copies,
+      "time N threads alternately with N pinned programs of one thread each (N: --threads)");
   command
       ->add_option("--repeats", options->repeats, "measurements of --against-copies; the median is printed")
       ->check(whole_number(1, 1000))

@@ -44,7 +44,7 @@ std::string command_text(const CalibrateArguments& arguments) {
   return words;
 }
 
-/// Results that are there are gone on with only where the user says so, and collected only where they are.
+/// Existing runs are continued only with --resume; --collect needs existing runs.
 void refuse_directory(const std::filesystem::path& directory, const CalibrateArguments& arguments) {
   const bool there = std::filesystem::exists(results::job_list_file(directory));
   if (!arguments.collect_from.empty() && !there)

@@ -37,7 +37,7 @@ OutputFile picture_file(const std::string& file) {
   return {"--picture", file, {".png"}};
 }
 
-/// Throws process::SceneError where the picture would overwrite what the scene is made of, or is none.
+/// Throws process::SceneError where the picture would overwrite a file of the scene, or is not a PNG file.
 void require_picture(const CheckArguments& arguments, const process::Scene* scene) {
   if (arguments.picture.empty()) return;
   std::vector<std::filesystem::path> inputs = {arguments.scene};

@@ -117,8 +117,7 @@ int compare(const CompareArguments& arguments) {
   const auto measured = process::read_measured_files(arguments.measured);
   if (!arguments.collect_from.empty()) return gather(arguments.collect_from, measured);
   if (arguments.scene.empty())
-    throw process::SceneError(
-        "SCENE: found nothing, expected a scene file, or --collect with a directory of runs");
+    throw process::SceneError("SCENE: missing; give a scene file, or --collect with a directory of runs");
   if (!arguments.export_to.empty()) return export_jobs(arguments);
   const std::filesystem::path directory =
       arguments.out.empty() ? default_directory(arguments.scene) : std::filesystem::path(arguments.out);

@@ -44,7 +44,7 @@ process::Tooling tooling_of(const process::Scene& scene) {
   return process::read_tooling(scene, progress.callback());
 }
 
-/// Nothing where the scene has no variants, or one of them or --set is asked for.
+/// Empty where the scene has no variants, or where --variant or --set is given.
 std::vector<VariantEstimate> estimates_of_variants(const EstimateArguments& arguments,
                                                    const process::estimate::EstimateOptions& options) {
   std::vector<VariantEstimate> estimates;
@@ -59,9 +59,9 @@ std::vector<VariantEstimate> estimates_of_variants(const EstimateArguments& argu
 
 void print_variants(const std::vector<VariantEstimate>& variants) {
   if (variants.empty()) return;
-  std::printf("\nabove: the scene without its [[variant]]s; these:\n");
+  std::printf("\nThe above is the scene without its [[variant]]s. The variants:\n");
   print_variant_estimates(variants);
-  std::printf("all statements about one of them: --variant, such as --variant \"%s\"\n",
+  std::printf("for all statements about one variant: --variant, such as --variant \"%s\"\n",
               variants.front().name.c_str());
 }
 

@@ -157,7 +157,7 @@ int standard_pictures(PictureRequest& request) {
   return kDone;
 }
 
-/// A user's own data may be called as the tables are.
+/// A file of the user's may have the name of one of the tables.
 void refuse_foreign_files(const PictureRequest& request, const std::vector<process::MeasuredFile>& measured) {
   for (const auto& file : measured)
     if (const auto foreign = results::foreign_measured_file(request.out, file.file.stem().string()))
@@ -168,7 +168,7 @@ void refuse_foreign_files(const PictureRequest& request, const std::vector<proce
           "directory with --out");
 }
 
-/// Pictures and tables of the result beside what was measured, and the statistics on the terminal.
+/// Pictures and tables that compare the result with measurements, and the statistics on the terminal.
 int against_measured(const PictureRequest& request, const std::vector<process::MeasuredFile>& measured) {
   refuse_foreign_files(request, measured);
   set_up_drawing();
@@ -188,7 +188,7 @@ int against_measured(const PictureRequest& request, const std::vector<process::M
   return kDone;
 }
 
-/// --x and --y alone ask for the chart of probes; with other kinds of picture they say nothing.
+/// --x and --y alone select the chart of probes; with other kinds of picture they are refused.
 void choose_probe_chart(MapArguments& arguments) {
   if (arguments.x.empty() && arguments.y.empty()) return;
   if (arguments.pictures.empty()) arguments.pictures.push_back("probe");
@@ -217,7 +217,7 @@ void draw_each(const PictureRequest& request, const std::vector<std::string>& pi
 int map(MapArguments arguments) {
   choose_probe_chart(arguments);
   for (const auto& name : arguments.pictures)
-    picture_kind(name);  // says what is wrong before anything is read
+    picture_kind(name);  // reports a wrong name before anything is read
   require_averages(arguments);
   const auto measured = process::read_measured_files(arguments.measured);
   if (!measured.empty() && (arguments.directories.size() > 1 || !arguments.pictures.empty()))

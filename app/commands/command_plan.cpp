@@ -63,14 +63,14 @@ void print_json(const nlohmann::ordered_json& json) {
   std::printf("%s\n", json_text(json).c_str());
 }
 
-/// The title and what costs nothing to know, before the pilot runs.
+/// Prints the title and the estimate before the pilot runs.
 void print_estimate_first(const process::Scene& scene, const process::estimate::Estimate& estimate) {
   std::printf("%s\n", scene.title.c_str());
   print_estimate_in_short(estimate);
   std::fflush(stdout);
 }
 
-/// What is predicted of a scene's variants: what they cost, and what they leave by formula.
+/// Predictions for a scene's variants: their cost, and the estimate of each by formula.
 struct VariantsPlan {
   process::plan::ComparisonForecast cost;
   std::vector<VariantEstimate> estimates;
@@ -126,12 +126,12 @@ process::plan::Plan plan_scene(const PlanArguments& arguments, process::plan::Pl
   options.tools_ready = [&](const process::Scene& scene, const process::Tooling& tooling) {
     estimate = process::estimate::estimate(scene, tooling);
     options.on_progress = process::ignore_progress;
-    progress.reset();  // its bar goes before something else is said
+    progress.reset();  // removes its bar before other output
     if (!arguments.json) print_estimate_first(scene, *estimate);
   };
   options.pilot_starts = [] { process::Progress(true).note(kPilotStarts); };
   options.narrowest_opening = process::estimate::narrowest_hole;
-  release_freed_memory();  // as the runs will whose memory is predicted
+  release_freed_memory();  // as in the runs whose memory is predicted
   return process::plan::make_plan(changed_scene(arguments.scene, arguments.changes), options);
 }
 
@@ -166,8 +166,9 @@ int plan(const PlanArguments& arguments) {
 
 constexpr const char* kPlanFooter =
     "Reads the tools, begins with what diefill estimate says, runs the scene with less and coarser powder "
-    "for about\nten seconds (once a machine: the pilot is kept in ~/.cache/diefill/pilots), and prints what "
-    "the scene needs and what it would cost as written and with the settings quick, working and reference "
+    "for about\nten seconds (once per machine: the pilot is kept in ~/.cache/diefill/pilots), and prints "
+    "what the scene needs and what it would cost as written and with the settings quick, working and "
+    "reference "
     "(diefill run --setting).\n"
     "Examples:\n  diefill plan sample_tools/narrow_ring/fill.toml\n"
     "  diefill plan my_die.toml --minutes 60\n"
@@ -193,13 +194,14 @@ void add_plan(CLI::App& program, Action& chosen) {
   command->add_option("--threads", arguments->threads, "threads of the planned run (default: all cores)")
       ->check(whole_number(1, 1024));
   command
-      ->add_option("--ranks", arguments->ranks,
-                   "say what diefill run --ranks would take, and from which size on it pays")
+      ->add_option(
+          "--ranks", arguments->ranks,
+          "also predict the time of diefill run with this many --ranks, and from which size on it pays")
       ->check(whole_number(1, 1000000));
   command->add_flag("--no-benchmark", arguments->no_benchmark,
                     "skip the pilot run; wall times are then unknown");
   command->add_flag("--new-pilot", arguments->new_pilot,
-                    "run the pilot again where one of this scene, machine and program is kept");
+                    "run the pilot again even if one of this scene, machine and program is kept");
   auto* variants =
       command
           ->add_flag("--variants", arguments->variants,

@@ -128,7 +128,7 @@ std::vector<render::report::Film> films_in(const fs::path& directory) {
   constexpr std::uintmax_t kLargest = 8'000'000;  // bytes
   std::vector<render::report::Film> films;
   for (const auto& [file, caption] :
-       {std::pair{kFilmFile, "Filling over time."}, {kTurntableFile, "The end from all sides."}}) {
+       {std::pair{kFilmFile, "Filling over time."}, {kTurntableFile, "The final state from all sides."}}) {
     const fs::path path = directory / file;
     if (!fs::exists(path) || fs::file_size(path) > kLargest) continue;
     films.push_back({QByteArray::fromStdString(results::contents_or_nothing(path).value_or("")), caption});

@@ -169,7 +169,7 @@ int deliver(const RunArguments& arguments, const process::Scene& scene, const pr
 
 int run(const RunArguments& arguments) {
   process::Scene scene = chosen_scene(arguments.scene, arguments.setting, arguments.changes);
-  const auto files = process::input_files(scene.text, scene.file);  // as they are now, not at the end
+  const auto files = process::input_files(scene.text, scene.file);  // as they were read, not at the end
   if (arguments.ranks.ranks > 0) return run_on_ranks(arguments.ranks, scene);
   if (step_engine() != nullptr) {
     process::cluster::refuse_unsupported_on_ranks(scene);
@@ -177,6 +177,7 @@ int run(const RunArguments& arguments) {
       throw process::SceneError("--powder-samples runs many scenes and is not supported on ranks");
   }
   process::RunOptions options = options_of(arguments, scene);
+  options.inputs = files;
   require_directory(options.directory);
   if (!arguments.shared_starts.empty()) require_directory(arguments.shared_starts, "--beginnings");
   if (arguments.samples.powders > 0) return run_samples(arguments, scene, options.directory);

@@ -52,13 +52,14 @@ void refuse_inputs_to_be_moved(const process::Scene& scene, const std::filesyste
   if (scene.pour.state && results::would_be_moved(directory, scene.pour.state->directory))
     throw process::SceneError(scene.file.string() + ':' + std::to_string(scene.pour.line) +
                               ": pour.state: found " + scene.pour.state->directory.string() +
-                              ", results which this run would move away from " + directory.string() +
+                              ", but this run would move these results out of " + directory.string() +
                               "; choose another directory with --out");
   for (const auto& file : input_files_of(scene))
     if (results::would_be_moved(directory, file))
-      throw process::SceneError("--out: found " + directory.string() + ", out of which this run would move " +
+      throw process::SceneError("--out: found " + directory.string() + ", but this run would move " +
                                 file.string() +
-                                ", which the scene reads, with earlier results; choose another directory");
+                                ", which the scene reads, out of it with the earlier results; choose another "
+                                "directory");
 }
 
 void refuse_changed_inputs(const process::Scene& scene, const std::vector<process::InputFile>& files,

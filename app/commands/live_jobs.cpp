@@ -18,7 +18,7 @@ std::string percent(double share) {
   return std::to_string(static_cast<int>(100 * share)) + " %";
 }
 
-/// "12 min left"; nothing where nothing tells.
+/// "12 min left"; empty where that is not known.
 std::string time_left(const process::JobListProgress& all) {
   const double done = all.share - all.first_share;
   return done > 0 ? ", " + process::duration_text(all.seconds * (1 - all.share) / done) + " left" : "";

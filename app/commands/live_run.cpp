@@ -85,7 +85,7 @@ void LiveRun::thin_out() {
 
 void LiveRun::draw(const process::FillRun& run) {
   const auto start = Clock::now();
-  // Drawing libraries may leave another way of rounding behind; the run must not see it.
+  // Drawing libraries may change the floating-point rounding mode; the run must not be affected.
   std::fenv_t floating_point;
   std::fegetenv(&floating_point);
   set_up_drawing();

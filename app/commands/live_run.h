@@ -1,4 +1,4 @@
-// The page live.html of a run under way: written every few seconds, whole, from what the run knows anyway.
+// The page live.html of a run in progress: rewritten every few seconds from data that the run has anyway.
 #pragma once
 
 #include <chrono>
@@ -14,16 +14,16 @@ namespace diefill::app {
 inline constexpr const char* kLivePage = "live.html";
 
 /// Keeps DIR/live.html. A page is written at most every few seconds, its picture so seldom that drawing takes
-/// a hundredth of the time. Where the page cannot be written the run goes on without.
+/// a hundredth of the time. Where the page cannot be written the run continues without it.
 class LiveRun {
  public:
   /// `pictures`: whether to draw. Both references must outlive this object.
   LiveRun(const process::Scene& scene, const process::Tooling& tooling, std::filesystem::path directory,
           bool pictures);
 
-  /// To be called often (RunOptions::watch).
+  /// Call this often (RunOptions::watch).
   void update(const process::FillRun& run);
-  /// The last page: how the run ended, for people.
+  /// Writes the last page; `how` says how the run ended.
   void end(const process::FillRun& run, const std::string& how, bool done);
 
  private:

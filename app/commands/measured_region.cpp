@@ -26,7 +26,7 @@ Box powder_box(const results::FillResult& result) {
   return box;
 }
 
-/// About what a section may go through: not the shoe, which may stand anywhere.
+/// The box around what a section may cut: without the shoe, which may be anywhere.
 Box die_box(const results::FillResult& result) {
   Box box = cavity_box(result).merged(powder_box(result));
   for (const auto& tool : result.tools)

@@ -1,4 +1,4 @@
-// Lengths and places that commands are given for finished results, held against the size of their powder,
+// Checks lengths and positions that commands are given for finished results against the size of their powder,
 // cavity and tools.
 #pragma once
 

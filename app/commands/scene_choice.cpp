@@ -24,23 +24,24 @@ namespace diefill::app {
 
 namespace {
 
-// Radius of the grains over that of the wall spheres: what is remarked on, and what is proposed.
+// Ratio of grain radius to wall sphere radius: a note is printed from the first on and proposes the second.
 constexpr double kFineWalls = 12, kUsualWalls = 5;
 
-/// What to say before tools are covered with spheres far finer than the powder.
+/// A note for wall spheres far finer than the powder, which take long to place.
 std::optional<std::string> fine_walls(const process::Scene& scene) {
   const double grain = 0.5 * process::largest_grain(scene), wall = scene.walls.sphere_radius;
   if (scene.walls.kind == process::WallKind::mesh || grain < kFineWalls * wall) return std::nullopt;
   char text[300];
-  std::snprintf(text, sizeof text,
-                "note: walls.sphere_radius is %.3g mm, 1/%.0f of the grain radius of %.3g mm: placing so "
-                "many wall spheres is slow; %.2g mm, a fifth, needs about %.0f times fewer",
-                1e3 * wall, grain / wall, 1e3 * grain, 1e3 * grain / kUsualWalls,
-                std::pow(grain / (kUsualWalls * wall), 2));
+  std::snprintf(
+      text, sizeof text,
+      "note: walls.sphere_radius is %.3g mm, 1/%.0f of the grain radius of %.3g mm: placing so "
+      "many wall spheres is slow; %.2g mm, a fifth of the grain radius, needs about %.0f times fewer",
+      1e3 * wall, grain / wall, 1e3 * grain, 1e3 * grain / kUsualWalls,
+      std::pow(grain / (kUsualWalls * wall), 2));
   return text;
 }
 
-/// Says what is under way when that takes long, and not only when the next thing begins.
+/// Repeats the line of progress during long operations, not only when the next one begins.
 class Ticker {
  public:
   Ticker(process::Progress& progress, bool wanted) : progress_(progress) {
@@ -67,7 +68,7 @@ class Ticker {
   std::condition_variable_any wake_;
   double share_ = 0;
   std::string doing_;
-  std::jthread thread_;  ///< last, so that it ends before the rest goes
+  std::jthread thread_;  ///< last, so that it ends before the other members are destroyed
 };
 
 }  // namespace

@@ -66,7 +66,7 @@ fs::path write_folder(const fs::path& given, const std::function<void(const fs::
   const std::string name = folder.string();
   std::error_code missing;
   if (fs::exists(fs::symlink_status(folder, missing)))
-    throw process::SceneError(name + ": there is such a file or folder already; choose another name");
+    throw process::SceneError(name + ": a file or folder of this name already exists; choose another name");
   require_directory(folder, "NAME");
   const fs::path temporary = name + '.' + std::to_string(getpid()) + ".tmp";
   try {

@@ -71,9 +71,8 @@ render::SceneLook look_of(const ViewArguments& arguments) {
 
 void add_view_options(CLI::App& command, ViewArguments& arguments) {
   command
-      .add_option(
-          "--range", arguments.range,
-          "limits of the colour scale, such as 0.3 0.42; for a difference, the second applies to both sides")
+      .add_option("--range", arguments.range,
+                  "limits of the colour scale, such as 0.3 0.42; for a difference, minus and plus the second")
       ->expected(2)
       ->check(finite_number());
   command.add_option("--colour-by", arguments.colour_by, "colour of grains in views and frames")

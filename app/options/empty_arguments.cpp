@@ -24,7 +24,7 @@ std::optional<std::string> empty_argument(const std::vector<std::string>& words)
     const std::string& word = words[n];
     const std::size_t equals = word.find('=');
     if (word.starts_with("--") && equals != std::string::npos && is_blank(word.substr(equals + 1)))
-      return word.substr(0, equals) + ": found nothing behind it; give a value or leave the option out";
+      return word.substr(0, equals) + ": no value after =; give a value or leave the option out";
     if (!is_blank(word)) continue;
     const std::string option = option_before(words, n);
     if (option.empty())

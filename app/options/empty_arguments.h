@@ -1,5 +1,4 @@
-// Empty words on the command line, such as --out '' of a variable without content: they would count as not
-// given.
+// Empty command-line arguments, such as --out '' from an empty shell variable: they would count as not given.
 #pragma once
 
 #include <optional>
@@ -8,7 +7,7 @@
 
 namespace diefill::app {
 
-/// What is wrong with the first empty or blank word of `words` (those behind the program's name), or with an
+/// A message about the first empty or blank argument in `words` (without the program's name), or about an
 /// option given as "--name="; nothing where there is none.
 std::optional<std::string> empty_argument(const std::vector<std::string>& words);
 

@@ -7,8 +7,8 @@
 
 namespace diefill::app {
 
-/// What is wrong with the first word that `program` has read and knows no use for; nothing where it knows all
-/// of them. Names the command, such as "diefill lab".
+/// A message about the first argument that `program` has read and does not recognise; nothing where it
+/// recognises all. Names the command, such as "diefill lab".
 std::optional<std::string> unknown_argument(const CLI::App& program);
 
 }  // namespace diefill::app

@@ -23,8 +23,8 @@ bool write_film(const std::filesystem::path& frames, const std::filesystem::path
                  film.filename().string().c_str());
     return false;
   }
-  const auto unfinished =
-      std::filesystem::path(film).replace_extension("." + std::to_string(::getpid()) + ".tmp.mp4");
+  // Among the frames, with which it goes where this process is killed.
+  const auto unfinished = frames / (film.stem().string() + "." + std::to_string(::getpid()) + ".tmp.mp4");
   const std::string command =
       "ffmpeg -loglevel error -y -framerate " + std::to_string(frames_a_second) + " -i " +
       process::shell_word((frames / "%05d.png").string()) +

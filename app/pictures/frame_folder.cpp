@@ -3,8 +3,10 @@
 #include <cerrno>
 #include <cstdlib>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "process/compare/backups.h"
 #include "process/input/scene_error.h"
@@ -20,6 +22,24 @@ bool is_frame(const fs::directory_entry& entry) {
   const std::string name = entry.path().filename().string();
   return entry.is_regular_file() && name.size() >= 9 && name.ends_with(".png") &&
          name.find_first_not_of("0123456789") == name.size() - 4;
+}
+
+constexpr std::string_view kEnding = ".XXXXXX";  // of the folder's name, for mkdtemp
+
+/// Folders for frames of `wanted` whose process was killed while it drew.
+void remove_left_folders(const fs::path& wanted) {
+  const fs::path above = wanted.has_parent_path() ? wanted.parent_path() : fs::path(".");
+  const std::string start = wanted.filename().string() + '.';
+  std::vector<fs::path> left;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(above, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(start) && name.size() == start.size() - 1 + kEnding.size() &&
+        entry.symlink_status(ignored).type() == fs::file_type::directory &&
+        results::left_by_a_killed_process(entry.path()))
+      left.push_back(entry.path());
+  }
+  for (const fs::path& folder : left) fs::remove_all(folder, ignored);
 }
 
 }  // namespace
@@ -38,11 +58,19 @@ void require_frames_alone(const fs::path& wanted) {
 }
 
 FrameFolder::FrameFolder(fs::path wanted) : wanted_(std::move(wanted)) {
-  std::string name = wanted_.string() + ".XXXXXX";
+  remove_left_folders(wanted_);
+  std::string name = wanted_.string() + std::string(kEnding);
   if (::mkdtemp(name.data()) == nullptr)
     throw std::runtime_error("cannot make a folder of frames beside " + wanted_.string() + ": " +
                              std::generic_category().message(errno) + "; choose another film with --out");
   path_ = name;
+  try {
+    lock_.emplace(path_);
+  } catch (const results::ResultError&) {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+    throw;
+  }
 }
 
 FrameFolder::~FrameFolder() {
@@ -57,6 +85,7 @@ void FrameFolder::keep(const std::function<void(const std::string&)>& on_note) {
   fs::permissions(
       path_, fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read | fs::perms::others_exec,
       fs::perm_options::add);
+  lock_.reset();
   fs::rename(path_, wanted_);
   path_ = wanted_;
 }

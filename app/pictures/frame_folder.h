@@ -3,7 +3,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
+
+#include "process/results/storage/directory_lock.h"
 
 namespace diefill::app {
 
@@ -11,11 +14,11 @@ namespace diefill::app {
 /// than frames.
 void require_frames_alone(const std::filesystem::path& wanted);
 
-/// A new folder beside `wanted`. With its files it is gone at the end of this object's life unless it is
-/// kept.
+/// A new folder beside `wanted`, locked. With its files it is gone at the end of this object's life unless it
+/// is kept; what a killed process has left of such folders is removed when the next is made.
 class FrameFolder {
  public:
-  /// Throws std::runtime_error where it cannot be made.
+  /// Throws std::runtime_error where it cannot be made, results::ResultError where it cannot be locked.
   explicit FrameFolder(std::filesystem::path wanted);
   ~FrameFolder();
   FrameFolder(const FrameFolder&) = delete;
@@ -28,6 +31,7 @@ class FrameFolder {
 
  private:
   std::filesystem::path wanted_, path_;
+  std::optional<results::DirectoryLock> lock_;  ///< until it is kept
 };
 
 }  // namespace diefill::app

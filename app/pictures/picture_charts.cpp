@@ -73,14 +73,10 @@ Pictures make_fill_level(const PictureRequest& request) {
                         source.result.cavity.is_ring
                             ? process::fill_level(source.result.powder, source.result.cavity, kBins)
                             : process::fill_level_along_travel(source.result)});
-  auto chart = render::profile_chart(profiles, "Fill level", chart_subtitle(request));
   const auto& cavity = request.sources.front().result.cavity;
   const double depth = 1e3 * (cavity.upper_corner.z() - cavity.lower_corner.z());
-  const auto& places = profiles.front().data.x;
-  const std::vector<double> ends =
-      cavity.is_ring ? std::vector<double>{0, 360} : std::vector<double>{places.front(), places.back()};
-  chart.curves.push_back({"fill plane", ends, {depth, depth}, render::CurveStyle::kLine, {}});
-  return write_chart(request, "fill_level", chart);
+  return write_chart(request, "fill_level",
+                     render::fill_level_chart(profiles, depth, chart_subtitle(request)));
 }
 
 Pictures make_coordination(const PictureRequest& request) {

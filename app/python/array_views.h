@@ -1,5 +1,5 @@
-// NumPy arrays that show memory of results without copying it: read-only, and alive as long as anyone looks
-// at them.
+// NumPy arrays that view memory of results without copying it: read-only, and valid as long as they are
+// referenced.
 #pragma once
 
 #include <pybind11/numpy.h>

@@ -73,14 +73,14 @@ void add_curves(py::module_& module) {
 
 void add_records(py::module_& module) {
   py::class_<Stage>(module, "Stage", "One stage of the schedule as it happened.")
-      .def_readonly("tool", &Stage::tool, "that moved; empty: none did")
+      .def_readonly("tool", &Stage::tool, "tool that moved; empty: none")
       .def_readonly("words", &Stage::words, "such as \"1 passage at 0.2 m/s\"")
       .def_readonly("start", &Stage::start, "s since the start of the scene")
       .def_readonly("end", &Stage::end, "s since the start of the scene");
   py::class_<ToolCheck>(module, "ToolCheck", "What the check of a tool's mesh and wall spheres found.")
       .def_readonly("tool", &ToolCheck::tool)
       .def_readonly("file", &ToolCheck::file, "its CAD file, without folders")
-      .def_readonly("findings", &ToolCheck::findings, "about the mesh; empty: nothing to remark upon")
+      .def_readonly("findings", &ToolCheck::findings, "about the mesh; empty: none")
       .def_readonly("volume", &ToolCheck::volume, "m^3, enclosed by the mesh")
       .def_readonly("mean_deviation", &ToolCheck::mean_deviation,
                     "m, of the wall spheres' envelope from the CAD surface")

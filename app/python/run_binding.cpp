@@ -12,7 +12,7 @@ namespace {
 
 using results::FillResult;
 
-/// A property: the entries of a list in `owner` by name, each alive as long as it is looked at.
+/// A property: the entries of a list in `owner` by name, each valid as long as it is referenced.
 template <class Entry, class Name>
 auto by_name(std::vector<Entry> FillResult::*list, const Name& name) {
   return [list, name](const py::object& self) {
@@ -34,7 +34,7 @@ py::dict topics_of(const FillResult& result) {
   return topics;
 }
 
-/// A property: the entries of a list in `owner` in their order, each alive as long as it is looked at.
+/// A property: the entries of a list in `owner` in their order, each valid as long as it is referenced.
 template <class Entry>
 auto in_order(std::vector<Entry> FillResult::*list) {
   return [list](const py::object& self) {

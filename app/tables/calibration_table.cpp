@@ -32,8 +32,8 @@ std::string parameters_of(const results::Calibration& calibration) {
 
 std::string measurements_of(const results::Calibration& calibration) {
   constexpr std::size_t kMax = 12;  // values of a measurement that are listed one by one
-  std::string lines =
-      cell("measurement", 30) + cell("measured", 22) + cell("simulated", 12) + "over powders that agree\n";
+  std::string lines = cell("measurement", 30) + cell("measured", 22) + cell("simulated", 12) +
+                      "range over powders that agree\n";
   for (const auto& measurement : calibration.measurements) {
     const bool listed = measurement.data.size() <= kMax;
     if (!listed)

@@ -20,7 +20,7 @@ void print_cavities(const process::Tooling& tooling);
 /// All that the above print, lengths in m. `diagnosis` may be empty when tools were refused.
 nlohmann::ordered_json tools_as_json(const process::Tooling& tooling, const process::Diagnosis& diagnosis);
 
-/// Faults of the meshes as their files have them, gaps that powder enters, overlaps, the narrowest place.
+/// Faults of the meshes as read from the files, gaps that powder enters, overlaps, the narrowest place.
 std::vector<render::FindingMark> marks_of(const process::Tooling& tooling,
                                           const process::Diagnosis& diagnosis);
 /// Where powder is poured, and what was found about the set-up.

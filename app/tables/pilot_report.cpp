@@ -18,7 +18,7 @@ void print_pilot(const plan::Pilot& pilot) {
     std::printf("pilot run: kept since %s; --new-pilot runs it again\n", pilot.cached_since.c_str());
   std::printf("processors: the machine gave the pilot %.0f %% of the processor time it asked for%s\n",
               100 * pilot.processor_share,
-              is_busy(pilot) ? "; times on free processors exclude waiting, times as busy include it"
+              is_busy(pilot) ? "; times on free processors exclude waiting, times on busy ones include it"
                              : ", about as much as on a free machine");
   std::printf("wall time: from a pilot run of %zu spheres, d = %.4g mm, %.4g mm of powder, %.1f s:",
               pilot.spheres, 1e3 * pilot.grain_diameter, 1e3 * pilot.fill_height, pilot.wall_seconds);
@@ -34,13 +34,13 @@ void print_pilot(const plan::Pilot& pilot) {
   }
   std::printf(" excluding the time to read the tools\n");
   if (pilot.size.points.size() > 1) {
-    std::printf("size: the cost per sphere and step on this machine is");
+    std::printf("size: cost per sphere and step on this machine over that of the pilot run:");
     for (const auto& point : pilot.size.points)
-      std::printf("%s %.2f times (neighbour search %.2f) with %.0f spheres",
+      std::printf("%s %.2f (neighbour search %.2f) with %.0f spheres",
                   &point == &pilot.size.points.front() ? "" : ",",
                   pilot.size.factor(point.spheres, static_cast<double>(pilot.spheres)),
                   pilot.size.search_factor(point.spheres, static_cast<double>(pilot.spheres)), point.spheres);
-    std::printf(" that of the pilot run\n");
+    std::printf("\n");
   }
   if (!pilot.stopped.empty()) std::printf("note: the pilot run ended early: %s\n", pilot.stopped.c_str());
 }

@@ -7,13 +7,13 @@
 
 namespace diefill::app {
 
-/// Lines on the terminal: the pilot's size, its costs by kind of phase, what size makes of them.
+/// Lines on the terminal: the pilot's size, its costs by kind of phase, and how they depend on size.
 void print_pilot(const process::plan::Pilot& pilot);
 
 /// The same in SI units.
 nlohmann::ordered_json pilot_as_json(const process::plan::Pilot& pilot);
 
-/// Whether the machine gave the pilot so little that it is worth a word.
+/// Whether the pilot got so little processor time that the report says so.
 bool is_busy(const process::plan::Pilot& pilot);
 
 }  // namespace diefill::app

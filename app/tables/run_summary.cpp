@@ -85,7 +85,7 @@ std::string cavity_table(const std::vector<CavityRow>& rows) {
   return table(cells);
 }
 
-/// What the mass rests on.
+/// The apparent density that the mass is based on.
 std::string apparent_density(const results::FillResult& result) {
   const char* const name = "apparent_density_kg_m3";
   const double density = figure_called(name).shown.factor * figure_of(result, name);

@@ -15,7 +15,7 @@ inline std::size_t character_count(const std::string& text) {
   return letters;
 }
 
-/// The text with blanks behind it up to `width` letters.
+/// The text padded with blanks to `width` letters.
 inline std::string padded(const std::string& text, std::size_t width) {
   const std::size_t letters = character_count(text);
   return letters >= width ? text : text + std::string(width - letters, ' ');

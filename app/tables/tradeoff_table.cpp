@@ -32,7 +32,7 @@ std::string marks(const results::Tradeoff& tradeoff, const results::TradeoffPoin
   if (point.reference) words += words.empty() ? "reference" : ", reference";
   for (const auto& quantity : tradeoff.quantities)
     if (std::ranges::find(point.beyond, quantity.key) != point.beyond.end())
-      words += (words.empty() ? "off: " : ", off: ") + quantity.name;
+      words += (words.empty() ? "error above limit: " : ", error above limit: ") + quantity.name;
   if (point.state != "finished") return point.state;
   if (!point.reason.empty()) words += words.empty() ? "failed with a seed" : ", failed with a seed";
   return words;

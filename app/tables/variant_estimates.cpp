@@ -14,7 +14,7 @@ namespace {
 
 namespace estimate = process::estimate;
 
-/// The cavity that is filled least, as the estimate's answer goes by; null where the shoe fills none.
+/// The least filled cavity, which decides the estimate's answer; null where the shoe fills none.
 const estimate::OpeningEstimate* emptiest_cavity(const estimate::Estimate& found) {
   const estimate::OpeningEstimate* worst = nullptr;
   for (const auto& opening : found.openings)

@@ -1,5 +1,5 @@
-// What grain and wall loops have in common: batches of touching pairs with what they remember, and the law
-// that a scene asks for.
+// What grain and wall loops have in common: batches of touching pairs with their contact history, and the
+// choice of the law that a scene uses.
 #pragma once
 
 #include <type_traits>
@@ -12,23 +12,22 @@
 
 namespace diefill::engine {
 
-/// Reads what a pair remembers into `lane` of the batch; a pair that has just come to touch remembers
-/// nothing.
+/// Reads a pair's contact history into `lane` of the batch; that of a new contact is zero.
 template <class Law>
 void recall(const double* history, ContactBatch<Law>& batch, std::size_t lane) {
   for (std::size_t k = 0; k < ContactBatch<Law>::kHistory; ++k) batch.history[k][lane] = history[k];
 }
 
-/// The way back.
+/// Writes it back.
 template <class Law>
 void remember(const ContactBatch<Law>& batch, std::size_t lane, double* history) {
   for (std::size_t k = 0; k < ContactBatch<Law>::kHistory; ++k) history[k] = batch.history[k][lane];
 }
 
-/// Notes whether pair `p` touches now; a new contact begins without memory.
+/// Notes whether pair `p` touches now; a new contact begins with zero history.
 template <class Pair>
 void note_touching(PairTable<Pair>& table, std::size_t p, bool touches) {
-  // Whether a near pair touches cannot be guessed, whether it has just begun to can: it is rare.
+  // The processor cannot predict whether a near pair touches, but it can predict that few contacts are new.
   const unsigned begins = static_cast<unsigned>(touches) & (1U - table.touching[p]);
   if (begins != 0) std::fill_n(table.history_of(p), table.width, 0.0);
   table.touching[p] = touches;

@@ -1,5 +1,5 @@
-// Touching pairs of grains on their way into a batch's lanes and out of them: pairs are read and written as
-// records, four of which turn into lanes in registers.
+// Packs touching grain pairs into the lanes of a batch and unpacks them again: pairs are read and written as
+// records, four of which are transposed to lanes in registers.
 #pragma once
 
 #include <type_traits>
@@ -18,7 +18,7 @@ struct GrainBatch : ContactBatch<Law> {
   using Base::kLanes, Base::count;
   static constexpr std::size_t kHistory = Base::kHistory;
 
-  /// Whether a record has room for what a pair remembers.
+  /// Whether a record has room for a pair's contact history.
   static constexpr bool kHistoryInRecord = kHistory > 0 && kHistory <= Records::kCount;
 
   TouchingPair pair[kLanes];

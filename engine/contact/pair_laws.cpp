@@ -38,8 +38,8 @@ laws::GeneralContactLaw law_at_wall(const ParticleTypes& types, const ContactLaw
                                                    std::numeric_limits<double>::infinity()});
   if (law.range() > 0)
     throw std::invalid_argument("contact law between '" + material + "' and '" + wall.material +
-                                "': walls attract only what touches them; give the wall law no distant "
-                                "attraction");
+                                "': walls attract only what touches them; give the wall a law without "
+                                "attraction at a distance");
   return law;
 }
 

@@ -28,7 +28,8 @@ double fluid_temperature(const FluidSimulation& simulation) {
 Eigen::Matrix3d fluid_pressure(const FluidSimulation& simulation) {
   double volume = 1;
   for (const auto& period : simulation.settings().period) {
-    if (!period) throw std::invalid_argument("the pressure tensor is that of a box with three periods");
+    if (!period)
+      throw std::invalid_argument("the pressure tensor needs a box that is periodic along x, y and z");
     volume *= *period;
   }
   const Grains& particles = simulation.particles();

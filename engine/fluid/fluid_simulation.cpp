@@ -62,7 +62,7 @@ void FluidSimulation::search() {
 void FluidSimulation::append(const std::vector<Eigen::Vector3d>& places,
                              const std::vector<Eigen::Vector3d>& velocities) {
   if (places.size() != velocities.size())
-    throw std::invalid_argument("particles need as many velocities as places");
+    throw std::invalid_argument("particles need as many velocities as positions");
   Grains& grains = state_.grains;
   const std::size_t before = grains.size();
   grains.resize(before + places.size(), false, false);
@@ -134,7 +134,7 @@ void FluidSimulation::restore(const FluidSnapshot& snapshot) {
   if (snapshot.particles.grains.size() != now.grains.size() || snapshot.solids.size() != solids().size())
     throw std::invalid_argument(
         "a snapshot of " + std::to_string(snapshot.particles.grains.size()) + " particles and " +
-        std::to_string(snapshot.solids.size()) + " solids cannot be gone on with by a simulation of " +
+        std::to_string(snapshot.solids.size()) + " solids cannot be resumed by a simulation of " +
         std::to_string(now.grains.size()) + " and " + std::to_string(solids().size()));
   now.step = snapshot.particles.step;
   now.time = snapshot.particles.time;

@@ -1,6 +1,6 @@
-// Solids in a fluid of particles: rigid sets of such particles. Grains move by the forces on them, tools
-// along what is prescribed. Each particle is one of the simulation's own, so that a set of hundreds stands
-// beside single ones without room being kept for as many in every grain.
+// Solids in a fluid of particles: rigid sets of such particles. Grains move by the forces on them, tools by
+// a prescribed motion. Each particle is a particle of the simulation in its own right, so that a set of
+// hundreds does not reserve memory for as many in every grain.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct RigidSetSpec {
   bool tool = false;                                           ///< tools do not act on each other
 };
 
-/// A solid on its way. A plain value: all that a restart needs besides its RigidSetSpec.
+/// The state of a moving solid. A plain value: all that a restart needs besides its RigidSetSpec.
 struct RigidSetMotion {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();    ///< m, not put back into a periodic box
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s; within a step the predicted one

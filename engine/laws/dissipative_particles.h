@@ -24,15 +24,15 @@ struct DpdParameters {
   /// Noise between fluid and solids over that within the fluid.
   double grip = 1;
 
-  /// Throws std::invalid_argument for constants that make no fluid.
+  /// Throws std::invalid_argument for constants with which there is no fluid.
   void check() const {
     const auto require = [](bool holds, const char* reason) {
       if (!holds) throw std::invalid_argument(reason);
     };
-    require(reach > 0 && density > 0, "a DPD fluid needs a reach and a density above 0");
+    require(reach > 0 && density > 0, "a DPD fluid needs a cut-off radius and a density above 0");
     require(repulsion >= 0 && noise >= 0, "repulsion and noise of a DPD fluid cannot be below 0");
     require(thermal_energy > 0,
-            "a DPD fluid needs a thermal energy above 0: noise over damping follows from it");
+            "a DPD fluid needs a thermal energy above 0: it sets the damping for the given noise");
     require(grain_stiffness >= 0 && tool_stiffness >= 0 && tool_damping >= 0,
             "stiffness and damping of grains in a DPD fluid cannot be below 0");
     require(solid_share > 0 && grip >= 0, "solids in a DPD fluid need a share in its density above 0");

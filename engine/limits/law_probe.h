@@ -1,4 +1,5 @@
-// Numbers of a contact law without stepping it through time, and the time steps that they allow.
+// Stiffness, damping and forces of a contact law without integrating it in time, and the time steps that they
+// allow.
 #pragma once
 
 #include <array>
@@ -47,7 +48,7 @@ struct ContactMasses {
   double inertia = 0;  ///< kg m^2; infinite where grains do not turn
 };
 
-/// Of a grain that meets what stands fast; `shape` with moments of inertia as torques balance with.
+/// Of a grain that meets something fixed; `shape` with moments of inertia as torques balance with.
 ContactMasses masses_of(const GrainShape& shape);
 /// Of two grains that meet.
 ContactMasses reduced(const ContactMasses& one, const ContactMasses& other);

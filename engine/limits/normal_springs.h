@@ -1,5 +1,5 @@
-// How stiff and how damped a contact is across itself, by whichever law a simulation uses: for judging
-// whether a time step resolves it. Evaluates the law itself and is slow; the pair loop does not use it.
+// Normal stiffness and damping of a contact, by whichever law a simulation uses: to judge whether a time
+// step resolves it. Evaluates the law itself and is slow; the pair loop does not use it.
 #pragma once
 
 #include "engine/simulation/simulation.h"

@@ -14,8 +14,8 @@ namespace {
 /// that is pressed less deeply but at many places.
 constexpr double kDeep = 0.5, kShallow = 0.25;
 
-/// Grains of the largest chain that counts as a jam. More of them are a bed under load: time steps that do
-/// not carry it are not to be mended by taking it out grain by grain.
+/// Grains of the largest chain that counts as a jam. A longer chain is a bed under load: if the time step is
+/// unstable for it, removing single grains does not help.
 constexpr std::size_t kLargestJam = 64;
 
 /// A contact deep enough to be part of a chain: between two grains, or of a grain with a tool.
@@ -122,7 +122,7 @@ std::map<std::size_t, Chain> chains_of(const Simulation& simulation, double thre
   return found;
 }
 
-/// Grains to be given up, each once.
+/// Grains to remove, each once.
 class GivenUp {
  public:
   explicit GivenUp(const Simulation& simulation) : simulation_(simulation) {}
@@ -143,7 +143,7 @@ class GivenUp {
   std::map<std::uint64_t, PinchedGrain> pinched_;
 };
 
-/// Of every chain beyond `limit` the most deeply pressed grain: the laws mean nothing for it any more.
+/// Of every chain beyond `limit` the most deeply pressed grain: the force laws are not valid for it any more.
 void give_up_deepest(const Simulation& simulation, double limit, GivenUp& given_up) {
   for (const auto& [root, chain] : chains_of(simulation, kDeep * limit)) {
     if (!joins_moving_tools(chain, simulation) || largest(chain.deepest).second <= limit) continue;
@@ -152,8 +152,8 @@ void give_up_deepest(const Simulation& simulation, double limit, GivenUp& given_
   }
 }
 
-/// Of every chain that the time step does not carry the grain that would swing up first, unless one of the
-/// chain has been given up already.
+/// Of every chain for which the time step is unstable the grain of largest amplitude, unless a grain of the
+/// chain has been chosen already.
 void give_up_unstable(const Simulation& simulation, double limit, GivenUp& given_up) {
   for (const auto& [root, chain] : chains_of(simulation, kShallow * limit)) {
     if (chain.load.size() > kLargestJam || !joins_moving_tools(chain, simulation)) continue;

@@ -1,4 +1,4 @@
-// How many contacts at once a sphere between two tools counts for.
+// How many simultaneous contacts to assume for a sphere pinched between two tools.
 #pragma once
 
 #include <algorithm>

@@ -124,19 +124,20 @@ void ValidityMonitor::check_speed(const Simulation& simulation) {
   const double way = fastest.speed * settings.time_step / simulation.shape_of(fastest.grain).sphere_radius;
   const std::string who = grain_text(simulation.grains(), fastest.grain);
   if (way > limits_.forbidden_displacement)
-    throw OutOfRange(line(
-        "%s moves at %.3g m/s at t = %.6g s, %.2f of its sphere radius in a step (limit %.2f): it passes "
-        "others without meeting them; the run is unstable or the time step of %.3g s too long: take a "
-        "shorter one",
-        who.c_str(), fastest.speed, simulation.time(), way, limits_.forbidden_displacement,
-        settings.time_step));
+    throw OutOfRange(
+        line("%s moves at %.3g m/s at t = %.6g s, %.2f of its sphere radius in a step (limit %.2f): it would "
+             "pass through other grains undetected; the run is unstable or the time step of %.3g s too long: "
+             "take a shorter one",
+             who.c_str(), fastest.speed, simulation.time(), way, limits_.forbidden_displacement,
+             settings.time_step));
   const double critical = critical_of_impact(simulation, 2 * fastest.speed);
   if (settings.time_step > limits_.comfortable_step * critical)
-    warn_once(warned_of_speed_,
-              line("%s moved at %.3g m/s at t = %.6g s, where a collision allows steps of %.3g s; the run's "
-                   "are %.3g s and up to %.2f of that is acceptable (STABILITY.md, time step)",
-                   who.c_str(), fastest.speed, simulation.time(), critical, settings.time_step,
-                   limits_.comfortable_step));
+    warn_once(
+        warned_of_speed_,
+        line("%s moved at %.3g m/s at t = %.6g s: the critical step of its collisions is %.3g s; the run's "
+             "step is %.3g s, and up to %.2f of the critical one is acceptable (STABILITY.md, time step)",
+             who.c_str(), fastest.speed, simulation.time(), critical, settings.time_step,
+             limits_.comfortable_step));
 }
 
 void ValidityMonitor::check_contacts(const Simulation& simulation) {

@@ -1,5 +1,5 @@
-// Where in the powder things are worst, for messages of a run that has left the method's range. Only used
-// then: checks every grain or contact.
+// Finds where in the powder a limit is exceeded most, for messages of a run that has left the method's range.
+// Used only then, because it checks every grain or contact.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// How the items of a loop are shared among threads: as they came to be last time. Items stay with the thread
-// whose caches hold them, and slow processors get fewer.
+// How the items of a loop are shared among threads: as they turned out in the last loops. Items stay with the
+// thread whose caches hold them, and slow processors get fewer.
 #pragma once
 
 #include <algorithm>

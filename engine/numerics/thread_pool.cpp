@@ -49,9 +49,10 @@ bool awaited(const Done& done) {
 
 }  // namespace
 
-/// The threads, and the loop that they share. A loop is open while its number is odd. Who enters says so
-/// first and then looks whether the loop is still open; who closes it does so first and then waits for those
-/// inside. A thread that sleeps, or has lost its processor to another program, is not waited for.
+/// The threads, and the loop that they share. A loop is open while its number is odd. A thread that enters
+/// first registers and then checks that the loop is still open; the thread that closes it does so first and
+/// then waits for those inside. It does not wait for threads that sleep or that have lost their processor to
+/// another program.
 class ThreadPool::Team {
  public:
   using Call = void (*)(const void* action, std::size_t k, std::size_t worker);

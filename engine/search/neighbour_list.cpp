@@ -30,6 +30,40 @@ std::size_t spheres_per_block(std::size_t spheres) {
                     kLargestFromMemory);
 }
 
+/// A near pair of a block's own sphere and another, which may be of an image: numbers among all spheres.
+struct FoundPair {
+  std::uint32_t own, other;
+};
+
+void sort_unique(std::vector<std::uint32_t>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+/// The inverse of Block::sphere().
+LocalSphere local_number(const Block& block, std::uint32_t sphere) {
+  const std::uint32_t first = block.begin * block.spheres_per_grain, own = block.own_spheres();
+  if (sphere >= first && sphere < first + own) return static_cast<LocalSphere>(sphere - first);
+  const auto place = std::lower_bound(block.partners.begin(), block.partners.end(), sphere);
+  return static_cast<LocalSphere>(own + (place - block.partners.begin()));
+}
+
+/// The table of the block's pairs between grains with their histories; its partners must be known.
+/// `opposite`: factor of each number of a history when the pair is stored the other way round.
+void fill_grain_table(Block& block, const std::vector<FoundPair>& found, const SphereField& spheres,
+                      const ContactHistory& history, const std::vector<double>& opposite) {
+  block.grain_pairs.start(found.size(), opposite.size());
+  for (const FoundPair& pair : found) {
+    const auto other = static_cast<std::uint32_t>(spheres.original(pair.other));
+    const GrainPair named = {local_number(block, pair.own), local_number(block, pair.other)};
+    if (pair.own < other)
+      block.grain_pairs.add(named, history.find(pair.own, other), nullptr);
+    else
+      block.grain_pairs.add(named, history.find(other, pair.own), opposite.data());
+  }
+  block.grain_pairs.finish();
+}
+
 }  // namespace
 
 NeighbourList::NeighbourList(const NeighbourSettings& settings, std::vector<std::uint32_t> body_first)
@@ -143,13 +177,9 @@ void NeighbourList::number_spheres(Block& block, const SphereField& spheres) con
 template <bool kMonodisperse>
 void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, const ListReference& reference,
                                      const ContactHistory& history, SearchWorkspace& workspace) const {
-  struct Found {
-    std::uint32_t own, other;
-  };
   const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
-  const auto real_sphere = [&](std::uint32_t j) { return static_cast<std::uint32_t>(spheres.original(j)); };
   const std::uint32_t first = block.begin * per_grain, end = block.end * per_grain;
-  std::vector<Found> found;
+  std::vector<FoundPair> found;
   block.partners.clear();
   for (std::uint32_t i = first; i < end; ++i) {
     if (!kMonodisperse && !spheres.exists(i)) continue;
@@ -176,27 +206,10 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
       });
     }
   }
-  std::sort(block.partners.begin(), block.partners.end());
-  block.partners.erase(std::unique(block.partners.begin(), block.partners.end()), block.partners.end());
+  sort_unique(block.partners);
   block.partners.shrink_to_fit();
   number_spheres(block, spheres);
-
-  const auto local = [&](std::uint32_t j) {
-    if (j >= first && j < end) return static_cast<LocalSphere>(j - first);
-    const auto place = std::lower_bound(block.partners.begin(), block.partners.end(), j);
-    return static_cast<LocalSphere>(block.own_spheres() + (place - block.partners.begin()));
-  };
-  const double* opposite = settings_.grain_history_sign.data();
-  block.grain_pairs.start(found.size(), settings_.grain_history_sign.size());
-  for (const Found& pair : found) {
-    const std::uint32_t other = real_sphere(pair.other);
-    const GrainPair named = {local(pair.own), local(pair.other)};
-    if (pair.own < other)
-      block.grain_pairs.add(named, history.find(pair.own, other), nullptr);
-    else
-      block.grain_pairs.add(named, history.find(other, pair.own), opposite);
-  }
-  block.grain_pairs.finish();
+  fill_grain_table(block, found, spheres, history, settings_.grain_history_sign);
 }
 
 void NeighbourList::index_foreign_sums() {
@@ -231,8 +244,7 @@ void NeighbourList::index_foreign_sums() {
 
 /// Adds the next block's row to the blocks that wait: `homes`, itself among them, each as often as it is met.
 void NeighbourList::note_waiting(std::vector<std::uint32_t>& homes) {
-  std::sort(homes.begin(), homes.end());
-  homes.erase(std::unique(homes.begin(), homes.end()), homes.end());
+  sort_unique(homes);
   waiting_.insert(waiting_.end(), homes.begin(), homes.end());
   waiting_first_.push_back(static_cast<std::uint32_t>(waiting_.size()));
   for (const std::uint32_t other : homes) ++awaited_[other];

@@ -24,7 +24,7 @@ void draw_air(SimulationState& state, std::size_t b, ContactSums& contacts) {
 /// Velocities at the end of the step of the grains of block b.
 void finish_block(SimulationState& state, std::size_t b) {
   Block& block = state.list.blocks()[b];
-  // Nobody asks for the sums of the block's own pairs any more: they need not be copied.
+  // The sums of the block's own pairs are not needed any more, so they are not copied.
   gather(
       state, b, block.sums, [&](std::size_t) -> const auto& { return state.grains.position; });
   if (state.settings.air_flow) draw_air(state, b, block.sums);

@@ -22,7 +22,8 @@ std::vector<std::uint32_t> places_of(const Grains& grains, std::uint64_t ids) {
 
 std::uint32_t place_in(const std::vector<std::uint32_t>& places, std::uint64_t id) {
   if (id >= places.size() || places[id] == kNowhere)
-    throw std::invalid_argument("grain " + std::to_string(id) + " was computed and is not in the simulation");
+    throw std::invalid_argument("grain " + std::to_string(id) +
+                                " was computed, but is not in the simulation");
   return places[id];
 }
 
@@ -73,7 +74,7 @@ void Simulation::apply_computed_step(const ComputedStep& computed) {
 void Simulation::apply_computed_grains(const Grains& computed) {
   Grains& grains = state_.grains;
   if (computed.size() != grains.size())
-    throw std::invalid_argument("other grains were computed than the simulation has");
+    throw std::invalid_argument("the computed grains are not those of the simulation");
   const auto places = places_of(grains, state_.next_id);
   for (std::size_t n = 0; n < computed.size(); ++n) {
     const std::uint32_t k = place_in(places, computed.id[n]);

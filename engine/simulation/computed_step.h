@@ -1,5 +1,5 @@
-// What a simulation takes over that another program has computed for it, as on many machines: steps, and the
-// state of the powder at one of them. Grains go by their ids there, because neither side knows the other's
+// What a simulation takes over from another program, such as one that runs on many machines: steps, and the
+// state of the powder at one of them. Grains are identified by their ids, because each side has its own
 // order.
 #pragma once
 
@@ -24,7 +24,7 @@ struct ComputedStep {
   std::vector<WallLoad> loads;  ///< on the bodies
 };
 
-/// Touching pairs of grains, or of grains with walls, by names that last.
+/// Touching pairs of grains, or of grains with walls, by names that stay valid when grains are sorted.
 struct NamedContacts {
   struct Pair {
     std::uint64_t grain;  ///< id

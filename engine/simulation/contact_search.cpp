@@ -31,7 +31,7 @@ void check_places(const SimulationState& state) {
     if (grains.position[k].norm() < kFarthestPlace && grains.orientation_of(k).allFinite()) continue;
     throw OutOfRange(
         "grain " + std::to_string(grains.id[k]) +
-        " has no finite position any more at t = " + std::to_string(state.time) +
+        " no longer has a finite position at t = " + std::to_string(state.time) +
         " s: the run is unstable; take a shorter time step, and do not add grains inside others");
   }
 }

@@ -1,4 +1,4 @@
-// Renews the list of near pairs: sorts the grains in space, and carries the history of touching pairs over.
+// Rebuilds the neighbour list: sorts the grains in space, and carries the contact history over.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace diefill::engine {
 
-/// What touching pairs remember, by the numbers that spheres have in a new order.
+/// The contact history, by the numbers that spheres have in a new order.
 struct ContactHistories {
   ContactHistory grains, walls;
 };
@@ -16,7 +16,7 @@ struct ContactHistories {
 /// leaves out are gone.
 struct NewOrder {
   std::vector<std::uint32_t> order;
-  std::size_t awake;  ///< so many of its first grains share blocks with each other only
+  std::size_t awake;  ///< number of its first grains that share blocks only with each other
   ContactHistories histories;
 };
 
@@ -30,7 +30,7 @@ void sort_and_search(SimulationState& state, StepPolicy& policy);
 /// The same with the grains of `order` only, in that order.
 void search_in_order(SimulationState& state, StepPolicy& policy, std::vector<std::uint32_t> order);
 
-/// The first half of sort_and_search(): the order in space, with what pairs remember now.
+/// The first half of sort_and_search(): the order in space, with the present contact history.
 NewOrder sort_in_space(SimulationState& state, StepPolicy& policy);
 /// The second half.
 void search_again(SimulationState& state, StepPolicy& policy, const NewOrder& sorted,

@@ -20,7 +20,8 @@ const FreeBody* FreeBodies::of(std::size_t body) const {
 }
 
 void FreeBodies::release(const FreeBodySpec& spec, Simulation& simulation) {
-  if (simulation.settings().sleep) throw std::invalid_argument("grains cannot sleep where a tool is free");
+  if (simulation.settings().sleep)
+    throw std::invalid_argument("sleeping grains cannot be combined with a free tool");
   if (spec.body >= simulation.bodies().size()) throw std::invalid_argument("there is no such body");
   if (of(spec.body) != nullptr) throw std::invalid_argument("the body is free already");
   bodies_.push_back(released(spec, simulation.body_motion(spec.body), load_of(simulation, spec.body)));

@@ -56,8 +56,9 @@ void Simulation::add_grains(const std::vector<NewGrain>& added) {
   SimulationState& now = state_;
   for (const auto& grain : added)
     if (grain.kind >= now.types.size())
-      throw std::invalid_argument("a grain of kind " + std::to_string(grain.kind) + ", but there are " +
-                                  std::to_string(now.types.size()) + " kinds, counted from 0");
+      throw std::invalid_argument("a grain of particle type " + std::to_string(grain.kind) +
+                                  ", but there are " + std::to_string(now.types.size()) +
+                                  " types, counted from 0");
   change_energy([&] {
     wrap_grains(now);
     const std::size_t old_count = now.grains.size();

@@ -22,7 +22,8 @@ std::vector<WallSurface> surfaces_of(const std::vector<WallBodySpec>& walls) {
   std::vector<WallSurface> surfaces;
   for (const auto& wall : walls) {
     if (wall.mirror && wall.planes.empty())
-      throw std::invalid_argument("wall '" + wall.name + "' is to mirror grains and is not of planes");
+      throw std::invalid_argument("wall '" + wall.name +
+                                  "' is set to mirror grains, but does not consist of planes");
     const double radius = !wall.triangles.empty() ? wall.contact_radius
                           : wall.planes.empty()   ? wall.sphere_radius
                                                   : kFlat;
@@ -37,9 +38,9 @@ SimulationSettings checked(SimulationSettings settings, const ParticleTypes& typ
   if (!(settings.time_step > 0)) throw std::invalid_argument("the time step must be positive");
   if (settings.threads < 1) throw std::invalid_argument("at least one thread is needed");
   if (settings.air_flow && settings.sleep)
-    throw std::invalid_argument("grains cannot sleep where air is drawn through the powder");
+    throw std::invalid_argument("sleeping grains cannot be combined with air flow through the powder");
   if (settings.air_flow && settings.air_flow->resistance.size() != types.size())
-    throw std::invalid_argument("drawn air needs a resistance for each particle type");
+    throw std::invalid_argument("air flow needs a resistance for each particle type");
   if (settings.sleep) check(*settings.sleep);
   settings.lever_arm = arm_for(types, settings.lever_arm);
   for (TypeNumber type = 0; type < types.size(); ++type) settings.types[type].shape = types.shape(type);

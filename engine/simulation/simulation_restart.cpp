@@ -68,10 +68,10 @@ void Simulation::restore(const Snapshot& snapshot) {
   now.reference = snapshot.reference;
   if (now.settings.sleep) {
     now.sleep = snapshot.sleep;
-    // A run in which nobody could sleep is gone on with by one in which all are awake.
+    // A run without sleeping is resumed with all grains awake.
     now.sleep.resize(now.grains.size(), *now.settings.sleep);
   }
-  // Tools stand as they did then, until what rests has been computed.
+  // Tools keep their poses of the last search until resting blocks have been computed.
   now.body_motion = now.reference.bodies;
   search_at_reference(now, {});
   recall(now.list.blocks(), &Block::grain_pairs, snapshot.grain_history);

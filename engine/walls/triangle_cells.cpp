@@ -37,7 +37,7 @@ TriangleCells::TriangleCells(const std::vector<WallTriangle>& triangles, double 
 }
 
 Eigen::Vector3i TriangleCells::cell_of(const Eigen::Vector3d& place) const {
-  // Far places are cut off before they become whole numbers, which end sooner.
+  // Far places are clamped before the conversion to integers, whose range is smaller.
   const Eigen::Array3d cell = ((place - lower_) / cell_size_).array().floor();
   return cell.max(-1.0).min(cells_.cast<double>().array()).cast<int>();
 }

@@ -18,7 +18,7 @@ constexpr double kEndless = 1e6;
 
 WallBody::WallBody(WallBodySpec spec, double reach) : spec_(std::move(spec)), reach_(reach) {
   if (flat() + meshed() + !spec_.centres.empty() > 1)
-    throw std::invalid_argument("a wall is made of spheres, of planes or of triangles, not of two of them");
+    throw std::invalid_argument("a wall is made of spheres, planes or triangles, not of more than one kind");
   if (flat()) {
     extent_ = kEndless;
     lower_ = Eigen::Vector3d::Constant(-kEndless);
@@ -51,7 +51,7 @@ void WallBody::take_in_triangles() {
     for (const auto& corner : triangle.corner) include(corner);
     normals_.push_back(triangle.normal());
     if (!(std::abs(normals_.back().norm() - 1) < 1e-6))
-      throw std::invalid_argument("a triangle of wall \"" + name() + "\" has no area: it faces nowhere");
+      throw std::invalid_argument("a triangle of wall \"" + name() + "\" has no area, so it has no normal");
   }
   triangle_cells_ = TriangleCells(spec_.triangles, reach_);
 }

@@ -62,7 +62,7 @@ class Sender {
   int pipe_;
 };
 
-/// The other end; `whole()` turns false when the child sends no more.
+/// The receiving end; `whole()` turns false when the child stops sending before the data are complete.
 class Receiver {
  public:
   Receiver(int pipe, std::chrono::seconds most) : pipe_(pipe), end_(Clock::now() + most) {}
@@ -192,7 +192,7 @@ void send(const CadParts& contents, Sender& sender) {
   } catch (const std::exception& error) {
     words = error.what();
   } catch (...) {
-    // No words: error_of() has some.
+    // No message: error_of() has one.
   }
   sender.value(kFailure);
   sender.value(failure);

@@ -194,9 +194,10 @@ void check_stl(const std::string& name, const std::string& bytes) {
   std::memcpy(&triangles, bytes.data() + kStlHeader - sizeof triangles, sizeof triangles);
   if (triangles == 0)
     throw MeshError(name + " holds no triangles: its header counts none" +
-                    (bytes.size() == kStlHeader ? std::string(", and nothing follows it")
-                                                : ", and the " + std::to_string(bytes.size() - kStlHeader) +
-                                                      " bytes behind it are no whole triangles of 50 bytes") +
+                    (bytes.size() == kStlHeader
+                         ? std::string(", and nothing follows it")
+                         : ", and the " + std::to_string(bytes.size() - kStlHeader) +
+                               " bytes after it are not a whole number of triangles of 50 bytes") +
                     "; export the part again, as a solid");
   const std::size_t expected = kStlHeader + kStlTriangle * triangles;
   if (bytes.size() < expected)

@@ -140,8 +140,10 @@ CadParts read(const std::filesystem::path& file, const CadFormat& format, double
     return read_in_child([&] { return read_cad_parts(file, format, chord_tolerance); },
                          {bytes.size(), seconds});
   } catch (const ChildError& error) {
-    throw MeshError(named(file) + " cannot be read as " + format.ending + ": " +
-                    shown(error.what(), kLongestReason) + remedy(format, chord_tolerance, error.failure));
+    throw UnreadableFile(named(file) + " cannot be read as " + format.ending + ": " +
+                             shown(error.what(), kLongestReason) +
+                             remedy(format, chord_tolerance, error.failure),
+                         error.failure);
   }
 }
 

@@ -27,6 +27,14 @@ struct ImportedPart {
   std::vector<std::string> remarks;  ///< oddities of the file that were ignored
 };
 
+enum class ChildFailure : char;  // cad_child.h
+
+/// The reader for the file's format, in a process of its own, gave no shapes.
+struct UnreadableFile : MeshError {
+  UnreadableFile(const std::string& message, ChildFailure why) : MeshError(message), failure(why) {}
+  ChildFailure failure;
+};
+
 /// The wanted part is not in the file.
 struct UnknownPart : MeshError {
   UnknownPart(const std::string& message, std::vector<std::string> names)
@@ -37,8 +45,8 @@ struct UnknownPart : MeshError {
 /// Reads `file`; wanted_parts() defines which parts a name selects. Vertices closer than 1e-7 of the bounding
 /// box's diagonal are merged; parts are placed by the file's transformations. Throws MeshError when the file
 /// is missing, a directory, empty, truncated, of unknown format, has no unit and none is given, states
-/// another unit than the one given, or holds no triangles or coordinates that are not finite; UnknownPart
-/// when there is no part of that name.
+/// another unit than the one given, or holds no triangles or coordinates that are not finite; UnreadableFile
+/// when a library cannot read it, crashes or takes too much; UnknownPart when there is no part of that name.
 ImportedPart import_part(const std::filesystem::path& file, const ImportOptions& options);
 
 /// Everything in `file`, whose coordinates are in units of `metres_per_unit` (0.001 for mm), as one mesh.

@@ -214,7 +214,7 @@ double read_iges(const std::string& file, Handle(TDocStd_Document) & document) {
   // OpenCASCADE does not say what it scales the coordinates by where it knows no unit.
   if (!(millimetres > 0))
     throw std::runtime_error("its unit of length (unit flag " + std::to_string(flag) +
-                             ") is none that can be read: give it one, such as millimetres");
+                             ") is not supported: export the file in another unit, such as millimetres");
   if (!reader.Transfer(document)) throw std::runtime_error("none of its parts can be translated");
   return millimetres * kMillimetre;
 }

@@ -1,5 +1,5 @@
-// Files that a CAD file refers to. A copy of it is worthless without them, and is another part with other
-// files.
+// Files that a CAD file refers to. A copy of it cannot be read without them, and describes another part if
+// they differ.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Meshes as CGAL's types, for the files that repair.
+// Meshes as CGAL types, for the code that repairs them.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -64,8 +64,8 @@ std::vector<std::string> MeshFindings::description() const {
                "reverse the normals in CAD or remove the inner solid");
   writer.write(degenerate_triangles, "triangle without area", "triangles without area",
                "slivers from the export", "harmless by themselves");
-  writer.write(duplicate_triangles, "triangle twice", "triangles twice", "the same corners again",
-               "harmless by themselves, the copies are ignored");
+  writer.write(duplicate_triangles, "duplicate triangle", "duplicate triangles",
+               "same corners as another triangle", "harmless by themselves, the copies are ignored");
   return writer.lines;
 }
 

@@ -94,7 +94,7 @@ void Repair::drop_inner_walls() {
 void Repair::drop_copies(cgal::Soup& soup) {
   processing::repair_polygon_soup(soup.points, soup.triangles);
   if (findings_.duplicate_triangles > 0)
-    record(counted(findings_.duplicate_triangles, "doubled triangle", "doubled triangles") + " removed");
+    record(counted(findings_.duplicate_triangles, "duplicate triangle", "duplicate triangles") + " removed");
 }
 
 /// The triangles as one surface whose neighbours agree about outside. False where sheets meet so that no
@@ -273,7 +273,7 @@ RepairedMesh without_copies(const Mesh& mesh) {
   RepairedMesh result{mesh, {}, {}, {}, 0};
   const std::size_t dropped = drop_copies_of_triangles(result.mesh);
   result.findings = check_mesh(result.mesh);
-  result.repairs.push_back(counted(dropped, "doubled triangle", "doubled triangles") + " removed");
+  result.repairs.push_back(counted(dropped, "duplicate triangle", "duplicate triangles") + " removed");
   return result;
 }
 

@@ -57,8 +57,8 @@ class TriangleTree::Scene {
     rtcCommitScene(scene_);
     if (rtcGetDeviceError(device()) != RTC_ERROR_NONE) {
       rtcReleaseScene(scene_);
-      throw std::runtime_error("no search tree of " + std::to_string(tree.count_) +
-                               " triangles can be built: is there memory left?");
+      throw std::runtime_error("cannot build the search tree of " + std::to_string(tree.count_) +
+                               " triangles; the memory is probably exhausted");
     }
   }
   ~Scene() { rtcReleaseScene(scene_); }

@@ -15,8 +15,8 @@
 namespace diefill::geometry {
 
 /// A solid and the translations (m) and rotations it goes through. Between two samples it is taken to move
-/// straight on and to push powder before it, but powder spreads at the samples only: what matters is to have
-/// one wherever a tool uncovers something new, such as every millimetre of a shoe's way over a cavity.
+/// straight on and to push powder ahead, but powder spreads at the samples only: they have to be dense where
+/// a tool uncovers something new, such as one for every millimetre of a shoe's path over a cavity.
 struct MovingSolid {
   const Mesh* mesh = nullptr;
   std::vector<Eigen::Matrix3d> rotations;     ///< one a sample; all solids have the same number of samples
@@ -30,7 +30,7 @@ struct ReachRequest {
       powder;        ///< m, where powder starts or comes in (laboratory frame); may reach above the tools
   double climb = 0;  ///< m, how far powder may rise above where it stands (a heap pushed by the shoe); such a
                      ///< heap runs out sideways over 4/3 of its height
-  bool scatters = false;  ///< tools throw powder about: what has risen goes sideways without limit
+  bool scatters = false;  ///< tools throw powder up: powder that has risen spreads sideways without limit
   double voxel = 5e-4;    ///< m, edge of a voxel; openings narrower than this are taken as closed
   Box domain;             ///< m, powder leaving this box is gone
 };

@@ -23,7 +23,7 @@ class OffsetSurface {
   /// The place at depth R that a first guess inside the solid leads to: never closer than R(1 - 1e-10) to the
   /// boundary. A guess too close to one or several faces is moved away from them by the shortest way (to the
   /// line at depth R below both faces of a convex edge, say); one too deep is moved towards the nearest point
-  /// of the boundary. Empty when the guess is outside or the solid is too thin there. Soonest where
+  /// of the boundary. Empty when the guess is outside or the solid is too thin there. Fastest where
   /// `near_boundary` is about the point of the boundary nearest to the guess; the answer does not depend on
   /// it.
   std::optional<Place> settle(const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary) const {

@@ -50,10 +50,10 @@ inline constexpr double kHolesBegin = 0.24, kRepeatPassesBegin = 0.71, kMeasurin
 /// missed.
 PointGrid reachable_points(const CoverTarget& target, double step);
 
-/// So many of the `reachable` points that each has one of them near, for spheres of `radius` (m).
+/// A subset of the `reachable` points such that each of them is near one of it, for spheres of `radius` (m).
 PointGrid powder_parts(const PointGrid& reachable, double radius);
 
-/// Facts about a sample of the surface that need not be found again.
+/// What is already known about a sample of the surface.
 enum class SampleKnown : std::uint8_t {
   kBeyond,        ///< where powder comes
   kReachable,     ///< and nothing more is known

@@ -62,8 +62,8 @@ void check_hosts(const std::filesystem::path& hostfile, int ranks) {
     if (!(words >> host)) continue;
     any = true;
     if (!is_known(host))
-      throw std::invalid_argument(hostfile.string() + ":" + std::to_string(number) + ": no host \"" + host +
-                                  "\" is known to this machine; correct the name or remove the line");
+      throw std::invalid_argument(hostfile.string() + ":" + std::to_string(number) + ": host \"" + host +
+                                  "\" is unknown on this machine; correct the name or remove the line");
     const auto own = slots_of(words);
     counted = counted && own;
     slots += own.value_or(0);
@@ -79,7 +79,7 @@ std::string slurm_script(const RankCommand& command) {
       "#!/bin/sh\n"
       "# One filling on " +
       std::to_string(command.ranks) +
-      " ranks. Submit with sbatch; after a time limit submit again: the run continues.\n"
+      " ranks. Submit with sbatch. If it reaches the time limit, submit it again: the run continues.\n"
       "#SBATCH --job-name=diefill\n"
       "#SBATCH --ntasks=" +
       std::to_string(command.ranks) +

@@ -1,5 +1,5 @@
-// Separates the messages of ranks from those of mpirun and ssh on the same stream, and makes one line of the
-// latter.
+// Separates the messages of ranks from those of mpirun and ssh on the same stream, and condenses the latter
+// into one line.
 #pragma once
 
 #include <string>

@@ -5,7 +5,7 @@
 
 namespace diefill::process::cluster {
 
-/// What a forecast takes for granted of the machine and the programs.
+/// What a forecast assumes about the machine and the programs.
 struct RankCosts {
   double built_in_step = 0;  ///< s a sphere and step, one thread of the built-in engine
   /// Speed of a thread of the built-in engine over that of a rank (README.md).

@@ -7,8 +7,8 @@ namespace diefill::process::cluster {
 
 namespace {
 
-/// Whether gravity has a part along a periodic axis: a grain that comes round would gain energy that nobody
-/// books.
+/// Whether gravity has a part along a periodic axis: a grain that crosses the periodic boundary would gain
+/// energy that the energy balance does not include.
 bool falls_round(const Scene& scene, const Eigen::Vector3d& gravity) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (scene.numerics.period[axis] && gravity[static_cast<Eigen::Index>(axis)] != 0) return true;
@@ -29,7 +29,7 @@ void refuse_unsupported_on_ranks(const Scene& scene) {
     if (free_motion_of(*step) != nullptr)
       refuse(scene, "a tool that moves freely (\"" + step->description() + "\")", "prescribe its motion");
   if (falls_round(scene, scene.gravity))
-    refuse(scene, "gravity along a periodic axis", "turn gravity or the period");
+    refuse(scene, "gravity along a periodic axis", "change the direction of gravity or the periodic axis");
 }
 
 }  // namespace diefill::process::cluster

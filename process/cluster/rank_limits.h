@@ -1,4 +1,4 @@
-// What runs on many ranks cannot do, said before any rank starts.
+// Refuses scenes that runs on many ranks do not support, before any rank starts.
 #pragma once
 
 #include "process/scene/scene.h"

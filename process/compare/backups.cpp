@@ -51,7 +51,8 @@ std::vector<fs::path> files_that_begin(const fs::path& directory, const std::vec
   return files;
 }
 
-/// Whether all that `list` of the document tells of is in `is_there`; no, where it cannot be read.
+/// Whether `is_there` holds for every entry of the document's `list`; false where the document cannot be
+/// read.
 bool all_there(const fs::path& file, const char* list, const std::function<bool(const Json&)>& is_there) {
   std::ifstream stream(file);
   const Json document = Json::parse(stream, nullptr, false);

@@ -39,15 +39,15 @@ std::string folder_of_the_same(const results::Job& job, const results::FillResul
   return is_new ? "" : first->second;
 }
 
-/// Throws results::ResultError where the run has read other contents of a file than an earlier one, such as
-/// of pour.state: they differ by more than their scenes.
+/// Throws results::ResultError where the run has read different contents of a file, such as pour.state, than
+/// an earlier run: the two differ by more than their scenes.
 void refuse_other_inputs(const results::Job& job, const results::FillResult& result, Gathered& gathered) {
   const auto files = recorded_input_files(result);
   if (!files) return;
   for (const InputFile& file : *files) {
     const auto& first = gathered.files.emplace(file.name, ReadFile{file.hash, job.folder}).first->second;
     if (first.hash != file.hash)
-      throw results::ResultError("has read other contents of " + file.name + " than " + first.folder);
+      throw results::ResultError("has read different contents of " + file.name + " than " + first.folder);
   }
 }
 

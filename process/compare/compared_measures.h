@@ -9,8 +9,8 @@
 
 namespace diefill::process {
 
-/// A number of a result: a figure of which results/figure_table says that it is compared, or one that belongs
-/// to a thing of the scene, such as a zone.
+/// A number of a result: a figure that results/figure_table marks as compared, or one of an item of the
+/// scene, such as a zone.
 struct MeasureOfComparison {
   std::string key;   ///< name of the figure
   std::string name;  ///< for people
@@ -22,7 +22,7 @@ struct MeasureOfComparison {
 /// Those that any result can have.
 const std::vector<MeasureOfComparison>& compared_measures();
 
-/// Figures among `keys` that belong to a thing of the scene, such as "solid_fraction_in_flange".
+/// Figures among `keys` that belong to an item of the scene, such as "solid_fraction_in_flange".
 std::vector<MeasureOfComparison> measures_of_named(const std::set<std::string>& keys);
 
 /// The value in its unit; NaN where the result has none.

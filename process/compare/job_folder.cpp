@@ -86,7 +86,7 @@ std::optional<fs::path> write_scene(const fs::path& folder, const JobScene& want
   if (another) {
     if (!fs::is_empty(folder)) renamed = back_up(folder);
   } else if (fs::exists(folder)) {
-    // A limit of its computing may be another: what failed before is tried again.
+    // The limits of its computation may have changed: a failed run is tried again.
     const fs::path code = folder / kJobExitCode;
     if (text_in(code) != "0\n") fs::remove(code);
   }
@@ -108,7 +108,7 @@ results::JobList earlier_list(const fs::path& directory, const NoteCallback& on_
   }
 }
 
-/// Whether something has been computed there.
+/// Whether the folder holds anything computed.
 bool holds_work(const fs::path& folder) {
   for (const char* name : {"report.json", "results.h5", "checkpoint.bin"})
     if (fs::exists(folder / name)) return true;

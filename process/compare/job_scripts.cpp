@@ -33,15 +33,15 @@ std::string slurm_script(std::size_t jobs) {
   return "#!/bin/sh\n#SBATCH --job-name=diefill\n#SBATCH --array=1-" + std::to_string(jobs) + R"(
 #SBATCH --cpus-per-task=4
 #SBATCH --output=/dev/null
-# Submit from this directory: sbatch slurm.sh. One task runs one line of jobs.txt; submit again to go on.
+# Submit from this directory: sbatch slurm.sh. One task runs one line of jobs.txt; submit again to continue.
 # DIEFILL: the program. Each job writes run.log in its folder.
 export DIEFILL_THREADS="${SLURM_CPUS_PER_TASK:-1}"
 cd "${SLURM_SUBMIT_DIR:-.}" && sed -n "${SLURM_ARRAY_TASK_ID}p" jobs.txt | sh
 )";
 }
 
-/// Writes the file. One of other contents, which somebody may have made their own, is renamed; gives its
-/// name.
+/// Writes the file. An existing one with other contents, which the user may have edited, is renamed; gives
+/// its new name.
 std::optional<std::string> write_file(const fs::path& file, const std::string& text, bool runs) {
   if (results::contents_or_nothing(file).value_or("") == text) return std::nullopt;
   std::optional<std::string> renamed;

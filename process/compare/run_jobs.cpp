@@ -29,7 +29,7 @@ constexpr const char* kSharedStarts = "beginnings";  // folder, while jobs are u
 constexpr std::chrono::seconds kReportInterval(5);
 constexpr int kBadSignal = 128;  // exit codes from here on: ended by a signal, or stopped and resumable
 
-/// Share of the work that a job's log last told of, 0 to 1.
+/// Share of the work that a job's log last reported, 0 to 1.
 double share_in(const fs::path& log) {
   constexpr std::streamoff kTail = 2000;
   std::ifstream file(log, std::ios::ate);
@@ -41,8 +41,8 @@ double share_in(const fs::path& log) {
   return share;
 }
 
-/// Removes what runs have left for each other (run/shared_start.h), and the folder with it. What else lies
-/// there is not ours and stays.
+/// Removes the checkpoints that runs share (run/shared_start.h), and their folder if that leaves it empty.
+/// Other files there stay.
 void remove_shared_starts(const fs::path& folder) {
   static const std::regex ours(R"([0-9a-f]{16}\.bin(\..*\.tmp)?)");
   std::error_code error;
@@ -59,7 +59,7 @@ struct RunningJob {
   Clock::time_point started = Clock::now();
 };
 
-/// The jobs of a list on their way.
+/// The jobs of a list while they run.
 class JobPool {
  public:
   JobPool(const fs::path& directory, const results::JobList& list, const JobOptions& options)
@@ -222,9 +222,9 @@ class JobPool {
 
   [[noreturn]] void stop() {
     stop_running();
-    throw Interrupted(
-        "stopped with " + std::to_string(waiting_.size()) +
-        " runs not started and the active ones at a checkpoint; run the same command again to continue");
+    throw Interrupted("stopped: " + std::to_string(waiting_.size()) +
+                      " runs were not started, the active ones stopped at a checkpoint; run the same command "
+                      "again to continue");
   }
 
   const fs::path& directory_;
@@ -235,7 +235,7 @@ class JobPool {
   std::vector<RunningJob> running_;
   std::size_t all_, done_ = 0, done_before_ = 0;
   double share_of_running_ = 0;
-  double spent_ = 0;  ///< s of processor time of all jobs that are not at work
+  double spent_ = 0;  ///< s of processor time of all jobs that are not running
   bool ending_early_ = false;
   Clock::time_point looked_ = Clock::now(), began_ = looked_, reported_ = looked_;
 };

@@ -13,7 +13,7 @@
 
 namespace diefill::process {
 
-/// A run of a list while the list is at work.
+/// A run of a list while the list is being processed.
 struct JobProgress {
   const results::Job* job = nullptr;
   std::string state;   ///< "waiting", "running", "finished", or why it failed
@@ -38,8 +38,8 @@ struct JobOptions {
   /// Whether jobs use each other's shared starts (run/shared_start.h). Results are the same; the cost of a
   /// job is not.
   bool share_starts = false;
-  /// s of processor time that all jobs together may have cost, earlier runs of them included. What is at work
-  /// then is stopped with a checkpoint, what waits is left.
+  /// s of processor time that all jobs together may have cost, earlier runs of them included. Running jobs
+  /// are then stopped with a checkpoint, waiting ones are not started.
   double cpu_seconds = std::numeric_limits<double>::infinity();
   /// Whether a job is to start, given what is left of `cpu_seconds`. Empty: always.
   std::function<bool(const results::Job&, double left)> starts;

@@ -52,7 +52,9 @@ LengthOfFraction fit_length(const std::vector<LengthPoint>& points) {
       densest = std::max(densest, point.fraction);
       ++usable;
     }
-  if (usable < 3) throw std::invalid_argument("a diffusion length is fitted to three points or more");
+  if (usable < 3)
+    throw std::invalid_argument(
+        "fitting a diffusion length needs at least three points with a positive length");
   // The excess of n_div over the densest point, from one that matters to none up to one without curvature.
   LengthOfFraction best;
   double least = std::numeric_limits<double>::infinity();

@@ -40,7 +40,7 @@ bool is_beverloo(DischargeLaw law) {
   return law == DischargeLaw::beverloo_round || law == DischargeLaw::beverloo_slit;
 }
 
-/// Whether the law says anything about the point.
+/// Whether the point is in the range of the law.
 bool within_range(DischargeLaw law, const DischargePoint& point, const DischargeData& data) {
   if (!is_beverloo(law) && !(felt(point, data) > 0)) return false;
   return !has_burst(law) || x_of(law, point, data) >= 0;
@@ -121,7 +121,7 @@ SeparableModel model_of(DischargeLaw law, const DischargeData& data) {
   return law == DischargeLaw::power_law ? power_model(data) : beverloo_model(law, data);
 }
 
-/// Openings that the empty annulus closes: no law says anything of what runs out of them.
+/// Refuses openings that the empty annulus closes: no law describes the flow through them.
 void refuse_closed(DischargeLaw law, const DischargeData& data) {
   const bool fits_annulus = is_beverloo(law) && widths_of(data) >= kWidthsForAnnulus;
   if (!(data.grain_diameter > 0) || fits_annulus) return;
@@ -130,11 +130,11 @@ void refuse_closed(DischargeLaw law, const DischargeData& data) {
       throw std::invalid_argument("found an opening of " + number_text(1e3 * point.width) +
                                   " mm with grains of " + number_text(1e3 * data.grain_diameter) +
                                   " mm, allowed: more than " + number_text(kEmptyAnnulus) +
-                                  " grain diameters, as nothing flows otherwise; check "
-                                  "width and grain diameter, or remove its points");
+                                  " grain diameters, because powder does not flow through narrower ones; "
+                                  "check width and grain diameter, or remove the points of this opening");
 }
 
-/// A number that a flow has at 0 or above: below it by more than the points leave open.
+/// Whether a parameter that is at least 0 in any flow is negative by more than its uncertainty.
 bool is_negative(const DischargeFit& found, const std::string& name) {
   const auto k = static_cast<Eigen::Index>(std::find(found.names.begin(), found.names.end(), name) -
                                            found.names.begin());
@@ -146,31 +146,30 @@ void refuse_too_few(const SeparableModel& model, std::size_t given, std::size_t 
   const std::size_t least = model.names.size() + 1;
   if (left < least && left < given)
     throw std::invalid_argument("found " + std::to_string(left) +
-                                " points that the law is for, allowed: at least " + std::to_string(least) +
-                                "; at the other " + std::to_string(given - left) +
-                                " the flow has not begun (faster than 5 sqrt(gD), or earlier than "
-                                "sqrt(D/g)/5); measure at lower speeds "
-                                "or later");
+                                " points in the range of the law, allowed: at least " +
+                                std::to_string(least) + "; at the other " + std::to_string(given - left) +
+                                " the flow has not started (shoe faster than 5 sqrt(gD), or time before "
+                                "sqrt(D/g)/5); measure at lower speeds or later");
 }
 
 void refuse_unphysical(const DischargeFit& found) {
   const auto refuse = [&](const std::string& name, const std::string& allowed, const std::string& meaning) {
     throw std::invalid_argument(
         "the points give " + name + " = " + number_text(found.number(name)) + ", allowed: " + allowed +
-        ", as " + meaning + "; check the points for slips, measure more of them, or fit another law (--law)" +
-        (found.law == DischargeLaw::transient ? "; leave out with --until what came once the hopper was empty"
+        ", as " + meaning + "; check the points for errors, measure more points, or fit another law (--law)" +
+        (found.law == DischargeLaw::transient ? "; exclude the points after the hopper has emptied (--until)"
                                               : ""));
   };
   if (has_burst(found.law)) {
     if (!(found.number("C_F") > 0)) refuse("C_F", "above 0", "it is the rate of the steady flow");
-    if (is_negative(found, "C_I")) refuse("C_I", "0 or more", "it is the rate of the first flow");
-    if (is_negative(found, "C_B")) refuse("C_B", "0 or more", "it is the mass of the burst");
+    if (is_negative(found, "C_I")) refuse("C_I", "0 or more", "it is the initial rate of the flow");
+    if (is_negative(found, "C_B")) refuse("C_B", "0 or more", "it is the mass of the initial burst");
     return;
   }
   const std::string factor = found.names.front();
-  if (!(found.number(factor) > 0)) refuse(factor, "above 0", "it is the factor of the whole flow");
+  if (!(found.number(factor) > 0)) refuse(factor, "above 0", "the whole flow is proportional to it");
   if (found.law == DischargeLaw::power_law && found.fit.shape_at_bound)
-    refuse("n", "-0.9 to 9", "masses fall with a power of the speed");
+    refuse("n", "-0.9 to 9", "the discharged mass decreases with a power of the speed");
 }
 
 double largest_value(const DischargeData& data) {

@@ -43,7 +43,8 @@ struct Column {
 CsvFile opened(const std::filesystem::path& file) {
   constexpr std::size_t kLargest = 32U << 20U;
   try {
-    CsvFile table(file, {"table of discharges", "but it is a CSV file of masses", kLargest});
+    CsvFile table(
+        file, {"table of discharges", "but a table of discharges is a CSV file of measurements", kLargest});
     if (table.next()) return table;
   } catch (const SceneError&) {
     throw;
@@ -78,7 +79,7 @@ Column column_of(std::string heading, const std::string& place) {
   }
   const Dimension dimension = found->dimension;
   if (unit.empty())
-    throw SceneError(place + ": found column \"" + one_line(heading) + "\" without a unit; write it behind " +
+    throw SceneError(place + ": found column \"" + one_line(heading) + "\" without a unit; write it after " +
                      "the name, such as \"" + name + " " +
                      std::string(example_of(dimension)).substr(example_of(dimension).find(' ') + 1) + "\"");
   try {
@@ -173,8 +174,8 @@ DischargePoint point_of(const CsvFile& file, const std::vector<Column>& columns,
   if (point.value == 0 && point.error == 0 && law != DischargeLaw::transient)
     throw SceneError(
         file.place() + ": found " + (is_of_rates(law) ? "a rate" : "a mass") +
-        " of 0, allowed: above 0, as the errors of this law count relative to the values; remove the "
-        "line, or give a column of errors");
+        " of 0, allowed: above 0, because points without errors are weighted relative to their values; "
+        "remove the line, or add a column of errors");
   return point;
 }
 
@@ -184,7 +185,7 @@ void leave_out_later(const CommonToAll& common, DischargeLaw law, const std::fil
   if (!common.until) return;
   const std::string found = "--until: found " + number_text(*common.until) + " s, ";
   if (law != DischargeLaw::transient)
-    throw SceneError(found + "but law " + name_of(law) + " has no times; it is for law transient");
+    throw SceneError(found + "but law " + name_of(law) + " has no times; --until is only for law transient");
   if (common.opened && *common.until <= *common.opened)
     throw SceneError(found + "allowed: after --opened, " + number_text(*common.opened) + " s");
   std::erase_if(data.points, [&](const auto& point) { return point.time > *common.until; });
@@ -240,8 +241,8 @@ DischargeData read_discharge_table(const std::filesystem::path& path, DischargeL
     if (data.points.size() == kMaxPoints)
       throw SceneError(file.place() + ": found more than " + std::to_string(kMaxPoints) +
                        " measurements; leave out some");
-    // Laws are linear in the density, so that one of a point is as good as a mass at the density of the
-    // first.
+    // Laws are linear in the density: points with a density of their own are scaled to that of the first
+    // point.
     if (data.density == 0) data.density = density;
     point.value *= data.density / density;
     point.error *= data.density / density;

@@ -73,12 +73,12 @@ Eigen::MatrixXd jacobian(const Function& function, const Eigen::VectorXd& at) {
 Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& weighted) {
   const Eigen::VectorXd scale = weighted.colwise().norm().transpose();
   if (!(scale.minCoeff() > 0))
-    throw std::invalid_argument("the points do not determine all numbers of this law");
+    throw std::invalid_argument("the points do not determine all parameters of this law");
   const Eigen::MatrixXd scaled = weighted * scale.cwiseInverse().asDiagonal();
   const Eigen::JacobiSVD<Eigen::MatrixXd> parts(scaled, Eigen::ComputeThinV);
   const Eigen::VectorXd& singular = parts.singularValues();
   if (singular.minCoeff() < kWorstDetermined * singular.maxCoeff())
-    throw std::invalid_argument("the points do not determine all numbers of this law");
+    throw std::invalid_argument("the points do not determine all parameters of this law");
   const Eigen::MatrixXd inverse =
       parts.matrixV() * singular.cwiseAbs2().cwiseInverse().asDiagonal() * parts.matrixV().transpose();
   return scale.cwiseInverse().asDiagonal() * inverse * scale.cwiseInverse().asDiagonal();
@@ -91,7 +91,7 @@ SeparableFit fit(const SeparableModel& model, const Eigen::VectorXd& y, const Ei
   const auto wanted = static_cast<Eigen::Index>(model.names.size());
   if (y.size() < wanted + 1)
     throw std::invalid_argument("found " + std::to_string(y.size()) + " points; " + std::to_string(wanted) +
-                                " numbers and their errors need at least " + std::to_string(wanted + 1));
+                                " parameters and their errors need at least " + std::to_string(wanted + 1));
   const Problem problem(model, y, sigma);
   const double shape = problem.best_shape();
   SeparableFit found;

@@ -67,7 +67,10 @@ std::string nothing_to_fill(const Estimate& estimate) {
     if (estimate.path.speed > 0) text += results::formatted(" at %.3g m/s", estimate.path.speed);
     return text + with_grains(estimate.grain_diameter) + ", " + results::mass_text(opening.least_mass) +
            " to " + results::mass_text(opening.most_mass) + " with the uncertainty" +
-           (estimate.starved ? "; that is all that the shoe holds" : "") + beyond_the_range(estimate);
+           (opening.runs_out() ? "; what is poured over it runs out before it rests"
+            : estimate.starved ? "; that is all that the shoe holds"
+                               : "") +
+           beyond_the_range(estimate);
   }
   if (estimate.outlet) return "no shoe passes over an opening: " + outlet_text(estimate);
   if (estimate.only_shaken)

@@ -39,7 +39,9 @@ struct OpeningEstimate {
   double share = 0;                       ///< of full_mass after all crossings
   double least_share = 0;                 ///< the same if the inflow is less by the error
   double most_share = 0;                  ///< the same if it is more
-  double poured = 0;    ///< share of the opening that lies open below the powder that is poured
+  double poured = 0;  ///< share of the opening that lies open below the powder that is poured
+  /// Whether that powder runs out through a slit before it is at rest.
+  bool runs_out() const { return !is_cavity && poured > 0 && effective_width > 0; }
   double too_fast = 0;  ///< share of the opening where, in the first crossing, flow has no time to begin
   std::optional<double> speed_once;      ///< m/s, fastest that fills it in one crossing
   std::optional<double> speed_all;       ///< m/s, the same in as many crossings as the scene has

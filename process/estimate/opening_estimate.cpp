@@ -78,6 +78,13 @@ void fill(const KnownError& error, const std::vector<PunchRoom>& rooms, OpeningE
   opening.most_share = most / opening.full_mass;
 }
 
+/// Powder that is poured over an open slit does not come to rest before it has run out. At least as much runs
+/// through as the formula says of the time that powder is taken to need until at rest.
+void run_out(double poured, OpeningEstimate& opening) {
+  for (double& mass : opening.mass) mass = std::max(mass, poured);
+  opening.most_mass = std::max(opening.most_mass, poured);
+}
+
 /// The largest factor on the shoe's speed at which the cavity still fills; nothing where even a hundredth of
 /// it is too fast, or speed does not matter.
 template <class Fills>
@@ -200,6 +207,7 @@ OpeningEstimate opening_estimate(const EstimateInputs& inputs, std::size_t k, co
     return opening;
   }
   fill(error, rooms, opening);
+  if (opening.runs_out()) run_out(powder.in_shoe, opening);
   find_speeds(inputs, k, rooms, opening);
   find_own(inputs, k, powder, opening);
   if (opening.is_cavity && powder.carrying_flux)

@@ -29,10 +29,10 @@ std::string opening_text(const Estimate& estimate, const OpeningEstimate& openin
     text += results::formatted(", effective width %.3g mm for grains of %.3g mm",
                                1e3 * opening.effective_width, 1e3 * estimate.grain_diameter);
   if (opening.offered.empty()) return text + ". Powder never comes over it";
-  if (opening.poured >= kWhole)
-    return text + ". Powder is poured over it while it is open: it is full when that rests, with " +
-           mass(opening.mass.back());
   const double in = opening.mass.back();
+  if (opening.is_cavity && opening.poured >= kWhole)
+    return text + ". Powder is poured over it while it is open: it is full when that rests, with " + mass(in);
+  if (opening.runs_out()) text += ". Powder is poured over it while it is open and runs out before it rests";
   if (!opening.is_cavity)
     return text + ". " + mass(in) + " run through in " + crossings + ", " + mass(opening.least_mass) +
            " to " + mass(opening.most_mass);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kLongestExample = 80;
 
-/// `example` where it is a short line of TOML, otherwise `usual`: no advice is made of a fault.
+/// `example` where it is a short line of TOML, otherwise `usual`: an invalid line must not become advice.
 std::string sound(const std::string& example, const std::string& usual) {
   if (example.empty() || example.size() > kLongestExample || !is_printable(example)) return usual;
   try {

@@ -30,14 +30,14 @@ std::string allowed_range(std::string_view least, bool above, std::string_view m
   return "allowed: " + words;
 }
 
-/// To what rounding makes of a limit that is written in another unit.
+/// Tolerates the rounding of limits that are written in another unit.
 bool within(double value, double least, bool above, double most) {
   constexpr double kRounding = 1e-12;
   return (above ? value > least : value >= least - kRounding * std::abs(least)) &&
          value <= most + kRounding * std::abs(most);
 }
 
-/// Lists longer than any scene's would be gone through for minutes.
+/// Lists longer than in any scene would take minutes to process.
 constexpr std::size_t kMaxEntries = 1000, kLongestName = 100;
 /// Names that a message lists before it says how many more there are.
 constexpr std::size_t kMaxListed = 20;

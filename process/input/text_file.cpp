@@ -40,7 +40,7 @@ std::string load_text_file(const fs::path& file, const TextFileKind& kind) {
   std::error_code error;
   if (fs::file_size(file, error) > kind.largest && !error) refuse(too_large);
   std::ifstream stream(file, std::ios::binary);
-  // In parts: the limit may be gigabytes, and the size that was told may be out of date.
+  // Read in parts: the limit may be gigabytes, and the size reported above may be out of date.
   std::string text, part(static_cast<std::size_t>(kPart), '\0');
   while (stream.read(part.data(), kPart) || stream.gcount() > 0) {
     text.append(part, 0, static_cast<std::size_t>(stream.gcount()));

@@ -64,7 +64,7 @@ class NestingCount {
     }
     if (letter == '\n') {
       ++line_;
-      // A bracket left open is a fault of its own, which the parser names.
+      // An unclosed bracket is a separate error, which the parser reports.
     } else if (letter == '[' || letter == '{') {
       if (++brackets_ > kMaxBrackets)
         refuse("brackets nested more than " + std::to_string(kMaxBrackets) + " deep");
@@ -76,13 +76,13 @@ class NestingCount {
     dots_ = 0;
   }
 
-  /// The parser would name the end of the file, whatever lies between.
+  /// The parser would report the end of the file instead of the place where the text begins.
   [[noreturn]] void refuse_unclosed(const std::string& quotes, std::size_t begin, std::size_t line) const {
     const std::size_t end_before = begin == 0 ? std::string_view::npos : text_.rfind('\n', begin - 1);
     const std::size_t column = begin - (end_before == std::string_view::npos ? 0 : end_before + 1) + 1;
     throw SceneError(file_.string() + ':' + std::to_string(line) + ':' + std::to_string(column) + ": found " +
                      quotes + ", which begin a text that is never closed; write " + quotes +
-                     " where it ends, or one quote on either side of a text in one line");
+                     " where it ends, or one quote on either side of a single-line text");
   }
 
   [[noreturn]] void refuse(const std::string& found) const {

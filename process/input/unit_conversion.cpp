@@ -38,7 +38,8 @@ double unit_factor(std::string_view from, std::string_view to) {
   const Unit one(ut_get_dimensionless_unit_one(unit_system()));
   const bool same = quotient && ut_are_convertible(quotient.get(), one.get()) != 0 &&
                     makeup_of(quotient.get()).angle == 0 && given.angles == wanted.angles;
-  if (!same) throw UnitError("\"" + one_line(from) + "\" is not a unit of what has \"" + one_line(to) + "\"");
+  if (!same)
+    throw UnitError("\"" + one_line(from) + "\" does not have the dimension of \"" + one_line(to) + "\"");
   const std::unique_ptr<cv_converter, FreeConverter> converter(
       ut_get_converter(given.unit.get(), wanted.unit.get()));
   const double hundredths = (from == "%" ? 0.01 : 1) / (to == "%" ? 0.01 : 1);

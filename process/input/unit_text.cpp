@@ -75,7 +75,7 @@ class UnitReader {
     throw UnitTextError(rest().empty() ? "the unit is incomplete" : shown + " is not a unit");
   }
 
-  /// "1/s" is how many write a reciprocal; it takes no part in the value.
+  /// Reciprocals are often written "1/s"; the 1 does not change the value.
   bool begins_with_one_over() {
     if (next() != '1') return false;
     const std::size_t slash = text_.find_first_not_of(" \t", at_ + 1);

@@ -1,5 +1,4 @@
-// Pieces of an experiment that need nothing of each other, several at a time: small beds leave threads of
-// their own too little to share.
+// Runs independent pieces of an experiment in parallel: a small bed has too little work for several threads.
 #pragma once
 
 #include <functional>

@@ -31,8 +31,8 @@ double ForceControl::resistance(const Eigen::Vector3d& force, const Eigen::Vecto
   return -axis.direction.dot(torque + (place - axis.through).cross(force));
 }
 
-/// N (N m), of which deviations are shares. Powder that was pressed harder before, in this step or when it
-/// began, is as stiff as that has left it.
+/// N (N m), to which deviations are relative. Powder that was pressed harder before, in this step or before
+/// it, is as stiff as that load has left it.
 double ForceControl::scale(const ControlState& state) const {
   if (state.passed > 0) return std::max(wanted(state), targets[state.passed - 1]);
   return back > 0 ? std::max(wanted(state), std::abs(state.load)) : wanted(state);

@@ -68,7 +68,8 @@ std::shared_ptr<const Step> FreeTool::prepared(const MachineContext& context) co
 
 ToolMotion FreeTool::motion(double time) const {
   const engine::FreeBodySpec& body = free_.body;
-  // Where the mass follows from the CAD, a constant force is left out: it is not known yet what it does.
+  // Where the mass follows from the CAD, a constant force is left out: its effect is not known without the
+  // mass.
   Eigen::Vector3d rate = gravity_;
   if (body.mass > 0) rate += body.drive / body.mass;
   if (!body.guide.isZero()) rate = rate.dot(body.guide) * body.guide;

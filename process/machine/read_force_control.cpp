@@ -65,8 +65,7 @@ void read_torques(TableReader& table, ForceControl& control) {
   control.pause = table.quantity("pause", kPause).value_or(0);
   if (std::count(control.targets.begin(), control.targets.end(), 0.0) > 0 && control.back == 0)
     table.reject("torques",
-                 "to be free of torque the tool has to turn back; set the limit, such as "
-                 "back = \"5 deg\"");
+                 "a torque of 0 requires the tool to turn back; set the limit, such as back = \"5 deg\"");
 }
 
 /// Where the rotor ends, if it turns far enough.

@@ -1,4 +1,4 @@
-// Says when a resistance no longer changes along the way of a tool: the torque of sheared powder, for one.
+// Detects when a resistance no longer changes along the path of a tool, such as the torque of sheared powder.
 #pragma once
 
 #include <cstdint>

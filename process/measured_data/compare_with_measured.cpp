@@ -162,7 +162,7 @@ std::vector<MeasuredFile> read_measured_files(const std::vector<std::string>& fi
     for (const MeasuredFile& earlier : all)
       if (earlier.file.stem() == path.stem())
         throw SceneError("--measured: two files are called \"" + path.stem().string() +
-                         "\"; give each a name of its own");
+                         "\"; give each file a unique name");
     all.push_back({path, read_measured_field(path)});
   }
   return all;

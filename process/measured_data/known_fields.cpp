@@ -133,7 +133,7 @@ void refuse_impossible(const MeasuredTable& table, const PossibleValues& possibl
                                     : number_text(least) + " to " + number_text(most) + unit;
     throw SceneError(table.where_of(k) + ": found " + one_line(table.value.name) + ' ' + found + unit +
                      ", allowed: " + allowed +
-                     ", as nothing else is possible; check the number and its unit");
+                     ", the range of possible values; check the number and its unit");
   }
 }
 

@@ -24,7 +24,7 @@ MeasuredColumn column_of(const std::string& cell, const std::string& where) {
   if (open == std::string::npos || cell.back() != ']')
     throw SceneError(
         where + ": column \"" + one_line(cell) +
-        "\" has no unit; write one behind the name, as in \"mass [g]\", or \"[1]\" for plain numbers");
+        "\" has no unit; write one after the name, as in \"mass [g]\", or \"[1]\" for plain numbers");
   MeasuredColumn column{trimmed_cell(cell.substr(0, open)),
                         trimmed_cell(cell.substr(open + 1, cell.size() - open - 2)),
                         {},
@@ -49,14 +49,14 @@ void convert(MeasuredColumn& deviation, const MeasuredColumn& value) {
   }
 }
 
-/// Whatever is wrong with points and deviations.
+/// Throws SceneError for anything wrong with points and deviations.
 void check(const MeasuredTable& table) {
   std::set<std::vector<double>> seen;
   for (std::size_t k = 0; k < table.size(); ++k) {
     if (!(table.deviation.values[k] > 0))
       throw SceneError(table.where_of(k) + ": the standard deviation is " +
                        number_text(table.deviation.values[k]) +
-                       ", allowed: more than 0; give what repeated measurements scatter by");
+                       ", allowed: more than 0; give the standard deviation of repeated measurements");
     std::vector<double> place;
     for (const MeasuredColumn& column : table.places) place.push_back(column.values[k]);
     if (!place.empty() && !seen.insert(place).second)
@@ -129,7 +129,7 @@ CsvFile opened(const std::filesystem::path& file) {
   }
 }
 
-/// `expected` says what a number of columns should be instead; empty: it is right.
+/// `expected` gives the required number of columns where `count` is wrong; empty: it is right.
 Columns columns_in(const std::filesystem::path& path,
                    const std::function<std::string(std::size_t)>& expected) {
   CsvFile file = opened(path);
@@ -188,7 +188,7 @@ MeasuredColumn value_among(std::vector<MeasuredColumn> others, const std::string
     if (!possible_values(column.name))
       throw SceneError(column.where + ": column of places: " + not_among(column.name, place_names()));
   throw SceneError(others[1].where + ": found a second column of values, \"" + one_line(others[1].name) +
-                   "\"; give each in a file of its own");
+                   "\"; put each in a separate file");
 }
 
 /// Columns by what they are called.
@@ -294,8 +294,8 @@ MeasuredTable read_measured_field(TableReader& measurement, std::size_t places) 
                      " columns of places, expected " + std::to_string(places));
   if (std::isnan(table.deviation.values.front()))
     throw SceneError(table.where +
-                     ": found no column of standard deviations; a calibration weighs values by "
-                     "them: add one, such as \"deviation [" +
+                     ": found no column of standard deviations; a calibration weights values by them: add "
+                     "one, such as \"deviation [" +
                      table.value.unit + "]\"");
   return table;
 }

@@ -1,5 +1,5 @@
-// Measured values with their standard deviations as they come from a plant: in the calibration file itself,
-// or as a CSV with units in its header.
+// Measured values with their standard deviations: in the calibration file itself, or as a CSV with units in
+// its header.
 #pragma once
 
 #include <filesystem>

@@ -32,7 +32,7 @@ struct Between {
 std::optional<Between> between(const std::vector<double>& nodes, double x, bool round) {
   if (nodes.empty()) return std::nullopt;
   if (round && (x < nodes.front() || x > nodes.back())) {
-    // Azimuths go on behind 360 degrees: between the last node and the first.
+    // Azimuths continue beyond 360 degrees: between the last node and the first.
     const double gap = 360 - nodes.back() + nodes.front();
     const double past = std::fmod(x - nodes.back() + 720, 360);
     return gap > 0 ? std::optional<Between>({nodes.size() - 1, std::min(1.0, past / gap)}) : std::nullopt;
@@ -66,7 +66,7 @@ double value_at(const results::Field2D& field, double first, double second) {
   return mixed(row(j->below), row(above), j->share);
 }
 
-/// The words there are, after the one that was probably meant.
+/// The available words, and the one that was probably meant.
 std::string listed(const std::vector<std::string>& words, const std::string& wanted) {
   std::string text;
   for (const auto& word : words) text += (text.empty() ? "\"" : ", \"") + word + '"';

@@ -1,4 +1,4 @@
-// A flag that is set when some time is over.
+// A flag that is set after a given time.
 #pragma once
 
 #include <atomic>
@@ -9,7 +9,7 @@
 
 namespace diefill::process::plan {
 
-/// Sets `flag` after some time, unless it is gone by then.
+/// Sets `flag` after some time, unless the alarm is destroyed first.
 class Alarm {
  public:
   Alarm(double seconds, std::atomic<bool>& flag)

@@ -71,7 +71,8 @@ std::vector<SharedStart> shared_starts_of(const Prepared& variant, const Forecas
                                           const RestTimes& rest) {
   if (variant.scene.suction) return {};
   const Schedule schedule(variant.scene, variant.tooling, variant.scene.powder.grain_diameter);
-  const RunFrame frame{forecast.time_step, powder_domain(variant.scene, variant.tooling, schedule)};
+  const RunFrame frame{forecast.time_step, powder_domain(variant.scene, variant.tooling, schedule),
+                       input_files(variant.scene.text, variant.scene.file)};
   const auto states = predicted(schedule.stages(), rest.after_motion);
   const Snapshots snapshots(variant.scene);
   double last = 0;

@@ -61,7 +61,7 @@ std::string names(const std::vector<const GrainSizeTrend*>& trends, NameOf name_
   return results::and_list(found);
 }
 
-/// What grains of `share` of the length that matters do to one figure; nothing where that was not measured.
+/// Error of one figure with grains of `share` of the relevant length; nothing where it was not measured.
 std::optional<ExpectedError> error_of_size(const Trends& all, const std::string& table,
                                            const std::string& powder, double share,
                                            const std::string& figure) {
@@ -84,7 +84,7 @@ std::optional<ExpectedError> error_of_size(const Trends& all, const std::string&
   return found;
 }
 
-/// What the grain size does, in the order in which it is told.
+/// Errors due to the grain size, in the order in which they are reported.
 std::vector<ExpectedError> errors_of_size(const std::string& powder, double diameter,
                                           const SceneLengths& lengths) {
   std::vector<ExpectedError> errors;

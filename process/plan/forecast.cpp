@@ -24,8 +24,8 @@ double bounds_over_volume(const Scene& scene, double fill_height) {
   return sum;
 }
 
-/// How many times as large a share of the scene's grains touches tools as of its pilot's: those that do are a
-/// layer as thick as one of them on what bounds the powder.
+/// How many times as large a share of the scene's grains touches tools as of its pilot's: these form a layer
+/// one grain thick along the boundary of the powder.
 double near_tools_over_pilot(const Scene& scene, const Pilot& pilot) {
   if (pilot.grain_diameter <= 0 || pilot.fill_height <= 0) return 1;
   return scene.powder.grain_diameter / pilot.grain_diameter *
@@ -80,8 +80,8 @@ Forecast forecast(const Scene& scene, const Tooling& tooling, const RestTimes& r
 
 Forecast forecast(const Scene& scene, const Tooling& tooling, const Pilot& pilot) {
   Forecast forecast = plan::forecast(scene, tooling, pilot.rest);
-  // Lists of near pairs serve until a grain has gone as far as they allow, a share of its size, and grains of
-  // any size move the same way.
+  // Neighbour lists are valid until a grain has moved as far as the skin allows, a share of its size, and
+  // grains of any size move at the same speed.
   const double speed_in_fall = pilot.fall_time > 0 ? fall_time(scene, tooling) / pilot.fall_time : 1;
   const double oftener = pilot.time_step > 0 ? forecast.time_step / pilot.time_step *
                                                    (pilot.grain_diameter / forecast.grain_diameter)

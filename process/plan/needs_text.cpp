@@ -10,7 +10,7 @@ namespace diefill::process::plan {
 
 namespace {
 
-constexpr double kAtLimit = 0.99;  // share of a limit from which on it is what a step keeps to
+constexpr double kAtLimit = 0.99;  // share of a limit from which that limit sets the step
 
 void add_width_statement(const Needs& needs, std::vector<std::string>& said) {
   const auto& cavity = needs.cavity;
@@ -39,8 +39,8 @@ void add_width_statement(const Needs& needs, std::vector<std::string>& said) {
 void add_step_statement(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
   const double share = needs.time_step / needs.critical_step;
   said.push_back(results::formatted(
-      "time step: %.3g s, %.2f of the critical %.3g s at collisions of %.2g m/s; undamped grains "
-      "gain energy from 0.49 on, %.1f times as long (engine/STABILITY.md)",
+      "time step: %.3g s, %.2f of the critical %.3g s at collisions of %.2g m/s; undamped grains gain "
+      "energy from 0.49 of it on, a step %.1f times as long (engine/STABILITY.md)",
       needs.time_step, share, needs.critical_step, needs.impact_speed, 0.49 / share));
   if (needs.time_step > needs.wedged_step * (1 + 1e-9))
     said.push_back(results::formatted(

@@ -15,20 +15,20 @@ namespace diefill::process::plan {
 
 namespace {
 
-/// A look at how fast this machine computes this scene comes first: sphere-steps, and s at most.
+/// A trial first measures how fast this machine computes the scene: sphere-steps, and s at most.
 constexpr double kScoutSphereSteps = 3e7, kScoutTakes = 1;
-/// Of its limit, what the pilot should need: settling, which the look has seen, is dearer than the rest, but
-/// tools are met later.
+/// Share of its limit that the pilot is sized for: settling, which the trial measures, costs more than later
+/// phases, but contacts with tools come later.
 constexpr double kShareOfLimit = 0.6;
-/// s of motion that say what it costs, and how many times the limit may be passed to see them or how long
-/// powder goes on running out.
+/// s of motion that are enough to measure its cost, and by what factor the limit may be exceeded to reach
+/// them or to see how long powder keeps running out.
 constexpr double kMotionAtLeast = 3, kPatience = 3;
-/// Of the time that the scene will take, what a pilot may take, and over its limit at most: what a passage
-/// costs changes on its way (gear: from 7.9 to 10 ns a sphere and step), and who waits for an hour may wait a
-/// minute.
+/// Share of the predicted run time that a pilot may take, and the largest multiple of its limit: the cost of
+/// a passage changes along its travel (gear: from 7.9 to 10 ns a sphere and step), and a user who waits an
+/// hour for a run can wait a minute for its plan.
 constexpr double kShareOfRun = 1.0 / 30, kLongestPilot = 8;
 
-/// Where the pilot's checkpoints go; gone at the end.
+/// Folder of the pilot's checkpoints; removed at the end.
 struct CheckpointFolder {
   std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("diefill-pilot-" + std::to_string(getpid()));
@@ -41,10 +41,10 @@ struct CheckpointFolder {
   CheckpointFolder& operator=(const CheckpointFolder&) = delete;
 };
 
-/// Books what a run has cost since the last look to the kind of phase it was in.
-class Books {
+/// Adds what a run has cost since the last call to the cost of the kind of phase it was in.
+class CostMeter {
  public:
-  void book(const FillRun& run, PhaseKind kind, bool whole, Pilot& pilot) {
+  void record(const FillRun& run, PhaseKind kind, bool whole, Pilot& pilot) {
     PhaseCost& cost = pilot.cost[static_cast<std::size_t>(kind)];
     const ProcessorUse use = processor_use();
     const double share = use.share_since(use_);
@@ -98,7 +98,7 @@ SizeCost size_cost_if_sound(const engine::Simulation& bed) {
 
 /// How long powder took to come to rest, as far as the pilot has seen it. `full_size`: whether it has about
 /// as many grains as the run will have. In fewer, one that rolls moves the centre of mass of all too far to
-/// be called rest, and what took longer than usual says nothing of more grains.
+/// be called rest, so that a longer time than usual says nothing about a run with more grains.
 void note_rest_times(bool rests_once, bool full_size, Pilot& pilot) {
   const RestTimes usual;
   const auto credible = [&](double seen, double otherwise) {
@@ -154,7 +154,7 @@ class PilotRun {
 
  private:
   void run_until_stopped(FillRun& run) {
-    books_.begin(run);
+    meter_.begin(run);
     pilot_.spheres = run.simulation().grains().size() * run.simulation().types().spheres();
     try {
       run.run();
@@ -164,14 +164,14 @@ class PilotRun {
     } catch (const engine::OutOfRange& error) {
       pilot_.stopped = error.what();
     }
-    books_.book(run, kind_, run.schedule().finished(), pilot_);
+    meter_.record(run, kind_, run.schedule().finished(), pilot_);
     note_rest_times(occurs(PhaseKind::rest, phases_) == 1, has_about_as_many_grains(), pilot_);
   }
 
-  /// Books what the run has cost, and gives it longer where the scene will take long.
+  /// Records what the run has cost, and extends the limit where the scene will take long.
   bool has_seen_enough(const FillRun& run, Alarm& alarm) {
     const PhaseKind now = kind_of(run.schedule().stages(), run.schedule().state().steps);
-    books_.book(run, kind_, now != kind_, pilot_);
+    meter_.record(run, kind_, now != kind_, pilot_);
     kind_ = now;
     const bool moves = occurs(PhaseKind::motion, phases_) > 0;
     const PhaseCost& motion = pilot_.of(PhaseKind::motion);
@@ -194,7 +194,7 @@ class PilotRun {
   Scene scene_;
   std::vector<Phase> phases_;
   PhaseKind kind_ = PhaseKind::fall;
-  Books books_;
+  CostMeter meter_;
   Pilot pilot_;
 };
 
@@ -208,10 +208,10 @@ double Pilot::seconds_per_sphere_step(PhaseKind kind, double in_spheres, double 
   const auto scaled = [&](const PhaseCost& seen) {
     const double search = seen.search_seconds / seen.sphere_steps;
     const double stepping = seen.seconds_per_sphere_step() - search;
-    // What is more than the same powder costs without tools is theirs.
+    // The cost beyond that of the same powder without tools is due to the tools.
     const double bare =
         size.points.empty() ? stepping : std::min(stepping, size.points.front().seconds_per_sphere_step);
-    // Where the pilot has too little for its threads, that makes the tools' part dear as well.
+    // Where the pilot has too little work for its threads, the tools' part is overestimated as well.
     const double tools = std::min(1.0, factor) * (stepping - bare);
     return factor * bare + near_tools * tools + search_factor * search;
   };

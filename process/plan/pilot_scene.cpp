@@ -12,9 +12,9 @@ namespace {
 
 /// Fewer are not enough for costs to carry over (narrow ring: 800 grains cost as much each as 3,900).
 constexpr std::size_t kMinGrains = 500;
-/// Less powder than this leaves the tools without what they move.
+/// With less powder than this, tools have too little to move.
 constexpr double kMinPowder = 0.4;
-/// Over the narrowest width: coarser grains jam, and cannot be what a passage costs.
+/// Over the narrowest width: coarser grains jam, so the cost of a passage would not be representative.
 constexpr double kCoarsestPilot = 0.75;
 
 double largest_diameter(const Scene& scene, const Tooling& tooling) {
@@ -40,8 +40,7 @@ Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_step
   pilot.numerics.time_step.reset();
   pilot.measure.snapshot_interval = 0;
   pilot.probes.clear();
-  // Called for as soon as the poured powder rests and every so often from then on: moments to look at the
-  // clock.
+  // Taken as soon as the poured powder rests and at intervals from then on: moments to check the time.
   SnapshotSpec snapshot;
   snapshot.name = "pilot";
   snapshot.every = 2e-3;

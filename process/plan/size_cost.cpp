@@ -9,8 +9,8 @@ namespace diefill::process::plan {
 
 namespace {
 
-/// More than the largest cache has room for: on an EPYC with 32 MiB clumps cost 1.08 times as much with
-/// 441,000 spheres as with 49,000, and 1.23 times with 784,000.
+/// More than fits the largest cache: on an EPYC with 32 MiB clumps cost 1.08 times as much with 441,000
+/// spheres as with 49,000, and 1.23 times with 784,000.
 constexpr double kMaxSpheres = 1e6;
 /// Steps before timing, and timed.
 constexpr int kWarmUp = 3, kSteps = 40;

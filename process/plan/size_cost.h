@@ -1,6 +1,6 @@
-// What size costs: a sphere and step are dearer in a large bed, whose grains do not fit the processor's
-// caches, and in a very small one, of which threads have little to share. How much so differs from machine to
-// machine.
+// How cost depends on size: a sphere-step costs more in a large bed, whose grains do not fit the processor's
+// caches, and in a very small one, which gives threads little work to share. How much more differs from
+// machine to machine.
 #pragma once
 
 #include <vector>

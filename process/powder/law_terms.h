@@ -1,4 +1,4 @@
-// Which terms of the force law a scene uses, and which fall away because their coefficients are zero.
+// Which terms of the force law a scene uses, and which are omitted because their coefficients are zero.
 #pragma once
 
 #include <string>

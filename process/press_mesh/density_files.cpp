@@ -79,7 +79,7 @@ std::string cards(const results::SolidMesh& mesh, const ElementDensity& density,
          << " elements lie outside the powder; nodes of such elements alone have no value\n";
   if (!density.above.empty())
     text << "** WARNING: " << density.above.size()
-         << " elements come out denser than the solid (relative density above 1)\n";
+         << " elements are denser than the solid (relative density above 1)\n";
   text << "*INITIAL CONDITIONS, TYPE=" << type << '\n';
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
     if (density.node_relative[n] > 0)
@@ -118,7 +118,7 @@ std::vector<std::filesystem::path> write_density_files(const std::filesystem::pa
                                      "for *POROUS METAL PLASTICITY without its own RELATIVE DENSITY"));
   write("_density_calculix.inp",
         cards(mesh, density, note, "TEMPERATURE",
-              "CalculiX has no relative density: it stands as temperature, on which materials can depend"));
+              "CalculiX has no relative density: it is given as temperature, on which materials can depend"));
   write("_density_outside.csv", numbers_csv("element outside the powder", density.outside));
   if (!density.above.empty())
     write("_density_above_solid.csv", numbers_csv("element denser than its solid", density.above));

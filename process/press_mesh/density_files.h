@@ -16,12 +16,11 @@ struct DensityNote {
 };
 
 /// Writes into `folder`, each file whole or not at all: STEM_density_elements.csv, STEM_density_nodes.csv (SI
-/// units), STEM_density_abaqus.inp (*INITIAL CONDITIONS, TYPE=RELATIVE DENSITY) and
-/// STEM_density_calculix.inp (the same as TYPE=TEMPERATURE, which CalculiX has), both over nodes, and
-/// STEM_density_outside.csv, the elements outside the powder; and, where there are some,
-/// STEM_density_above_solid.csv, those that come out denser than their solid. Nodes outside get no card.
-/// Returns the files.
-/// Throws results::ResultError where they cannot be written.
+/// units), STEM_density_abaqus.inp (*INITIAL CONDITIONS, TYPE=RELATIVE DENSITY) and STEM_density_calculix.inp
+/// (the same as TYPE=TEMPERATURE, which CalculiX has), both over nodes, and STEM_density_outside.csv, the
+/// elements outside the powder; and, where there are some, STEM_density_above_solid.csv, those denser than
+/// their solid. Nodes outside get no card. Returns the files. Throws results::ResultError where they cannot
+/// be written.
 std::vector<std::filesystem::path> write_density_files(const std::filesystem::path& folder,
                                                        const std::string& stem,
                                                        const results::SolidMesh& mesh,

@@ -34,7 +34,7 @@ results::PowderState powder_in_cavity(const results::FillResult& result) {
 DensityGrid empty_grid(const results::FillResult& result, double spacing) {
   constexpr double kMaxCells = 2e7;
   if (!(result.cavity.volume > 0))
-    throw std::invalid_argument("the result has no cavity, over which the grid would stand");
+    throw std::invalid_argument("the result has no cavity for the grid to cover");
   const double margin = result.powder.largest_diameter();
   DensityGrid grid;
   grid.spacing = spacing;
@@ -42,7 +42,7 @@ DensityGrid empty_grid(const results::FillResult& result, double spacing) {
       result.cavity.upper_corner - result.cavity.lower_corner + Eigen::Vector3d::Constant(2 * margin);
   const Eigen::Vector3d cells = (size / spacing).array().ceil();
   if (cells.prod() > kMaxCells)
-    throw std::invalid_argument("the grid would have more than 20 million cells; choose larger ones");
+    throw std::invalid_argument("the grid would have more than 20 million cells; choose larger cells");
   grid.cells = cells.cast<int>();
   grid.origin = 0.5 * (result.cavity.lower_corner + result.cavity.upper_corner) - 0.5 * spacing * cells;
   return grid;

@@ -21,7 +21,7 @@ void MeshBuilder::add_element(std::uint64_t number, results::ElementShape shape,
     const auto found = place_of_.find(nodes[n]);
     if (found == place_of_.end())
       lines_.reject_text("element " + std::to_string(number) + " has node " + std::to_string(nodes[n]) +
-                         ", which the file does not define before");
+                         ", which is not defined before this line");
     element.nodes[n] = found->second;
   }
   mesh_.elements.push_back(element);

@@ -16,7 +16,8 @@ class MeshBuilder {
 
   /// Coordinates in the file's unit. SceneError for a number that was given before.
   void add_node(std::uint64_t number, const Eigen::Vector3d& place);
-  /// Nodes by their numbers, in the order of results::ElementShape. SceneError for a node that is not there.
+  /// Nodes by their numbers, in the order of results::ElementShape. SceneError for a node that is not
+  /// defined.
   void add_element(std::uint64_t number, results::ElementShape shape,
                    const std::vector<std::uint64_t>& nodes);
   void leave_out(std::size_t elements) { mesh_.left_out += elements; }

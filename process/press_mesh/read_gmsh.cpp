@@ -9,7 +9,7 @@ namespace {
 
 using results::ElementShape;
 
-/// A type of element of Gmsh: its number of nodes, and which of them stands at each place of ours.
+/// An element type of Gmsh: its number of nodes, and which of them corresponds to each node of ours.
 struct GmshType {
   std::size_t nodes = 0;
   std::optional<ElementShape> shape;  ///< none: without volume

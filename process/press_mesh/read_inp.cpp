@@ -79,7 +79,7 @@ class InpFile {
 
   Keyword keyword_of_line() {
     std::vector<std::string_view> cells = cells_of_line(lines_.line(), true);
-    while (lines_.line().ends_with(',') && next_data())  // a keyword goes on after a comma
+    while (lines_.line().ends_with(',') && next_data())  // a keyword continues after a comma
       for (const auto cell : cells_of_line(lines_.line(), true)) cells.push_back(cell);
     Keyword keyword{upper_case(cells[0]), {}};
     for (std::size_t n = 1; n < cells.size(); ++n) {
@@ -101,7 +101,8 @@ class InpFile {
     };
     const bool block = keyword.name == "*NODE" || keyword.name == "*ELEMENT";
     if (keyword.name == "*INCLUDE" || (block && !keyword.value("INPUT").empty()))
-      lines_.reject("nodes and elements in the file itself; put what the other file holds in this place");
+      lines_.reject(
+          "nodes and elements in the file itself; replace this line with the contents of the other file");
     if (is_in(kParts))
       lines_.reject("a flat file; in Abaqus/CAE write it without parts and assemblies (model attributes)");
     if (is_in(kMade)) lines_.reject("every node and element written out in *NODE and *ELEMENT");
@@ -112,7 +113,7 @@ class InpFile {
   void read_nodes(const Keyword&) {
     while (next_data()) {
       const auto cells = cells_of_line(lines_.line(), true);
-      if (!is_node(cells)) lines_.reject("a node: number, x, y, z, with decimal points and commas between");
+      if (!is_node(cells)) lines_.reject("a node: number, x, y, z, with decimal points, separated by commas");
       const Eigen::Vector3d place = vector_at(cells, 1);
       builder_.add_node(whole_number(cells[0], lines_), place);
     }
@@ -123,7 +124,7 @@ class InpFile {
             decimal_number(cells[first + 2], lines_)};
   }
 
-  /// A node may have a normal behind its place; other cells are those of decimal commas.
+  /// A node may have a normal after its coordinates; other numbers of cells come from decimal commas.
   bool is_node(const std::vector<std::string_view>& cells) const {
     constexpr std::size_t kPlain = 4, kWithNormal = 7;
     if (cells.size() != kWithNormal) return cells.size() == kPlain;

@@ -1,4 +1,4 @@
-// Figures that belong to items which a scene names, such as zones and heaps.
+// Figures of items that a scene names, such as zones and heaps.
 #pragma once
 
 #include <algorithm>

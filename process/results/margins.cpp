@@ -26,11 +26,11 @@ std::vector<Margin> margins(const FillResult& result) {
   const auto margin = [&](const char* name, double limit, bool either_side = false) {
     return Margin{title_of(figure_called(name)), value(name), limit, either_side};
   };
-  std::vector<Margin> all = {
-      margin("time_step_fraction", 1), margin("deepest_overlap_ratio", value("overlap_limit_ratio")),
-      margin("deepest_wall_overlap_ratio", value("wall_overlap_limit_ratio")),
-      // Energy from nowhere and energy gone nowhere are the same fault of the integration.
-      margin(kEnergy, value("energy_error_limit"), true)};
+  std::vector<Margin> all = {margin("time_step_fraction", 1),
+                             margin("deepest_overlap_ratio", value("overlap_limit_ratio")),
+                             margin("deepest_wall_overlap_ratio", value("wall_overlap_limit_ratio")),
+                             // Energy gained and energy lost are the same error of integration.
+                             margin(kEnergy, value("energy_error_limit"), true)};
   std::erase_if(all, [](const Margin& found) { return !std::isfinite(found.found); });
   return all;
 }

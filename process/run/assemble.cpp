@@ -46,7 +46,7 @@ results::ToolState tool_state(const Tool& tool, const engine::BodyMotion& motion
   return state;
 }
 
-/// Horizontal direction in which the first tool that goes anywhere sets out; zero when none does.
+/// Horizontal direction in which the first tool that travels starts to move; zero when none does.
 Eigen::Vector3d first_motion(const Scene& scene) {
   constexpr int kInstants = 100;
   for (const auto& step : scene.steps) {
@@ -62,7 +62,7 @@ Eigen::Vector3d first_motion(const Scene& scene) {
 
 /// The cavity as it is now: predicted, unless a step ended elsewhere than predicted.
 results::CavityState cavity_now(const Scene& scene, const Tooling& tooling, const FillRun& run) {
-  constexpr double kAsForeseen = 1e-6;  // m
+  constexpr double kAsPredicted = 1e-6;  // m
   std::vector<ToolPose> poses;
   const Stages& stages = run.schedule().stages();
   const auto plan = predicted(stages, kSettlingGuess);
@@ -81,7 +81,7 @@ results::CavityState cavity_now(const Scene& scene, const Tooling& tooling, cons
          (pose.rotation - planned.rotation).norm() * tooling.tools[k].mesh.bounding_box().size().norm()});
   }
   results::CavityState cavity =
-      cavity_state(off > kAsForeseen ? cavity_between(tooling, poses) : tooling.cavity);
+      cavity_state(off > kAsPredicted ? cavity_between(tooling, poses) : tooling.cavity);
   const Eigen::Vector3d direction = first_motion(scene);
   if (direction.norm() > 0) cavity.azimuth_zero = -direction;
   return cavity;
@@ -113,8 +113,8 @@ std::vector<results::Instant> instants_of(const FillRun& run) {
   return instants;
 }
 
-/// s that the machine is at work: while any step is on that moves a tool or lasts a given time. Waiting for
-/// the powder to rest is not counted, a press does not wait for it.
+/// s that the machine is at work: while any step is active that moves a tool or lasts a given time. Waiting
+/// for the powder to rest is not counted, a press does not wait for it.
 double cycle_time(const Scene& scene, const Schedule& schedule) {
   std::vector<std::pair<double, double>> busy;
   for (std::size_t k = 0; k < scene.steps.size(); ++k) {
@@ -194,7 +194,7 @@ std::vector<results::SectionPlane> wanted_sections(const Scene& scene) {
   return planes;
 }
 
-/// What stands behind the names of a scene that is not over, so that pages and pictures tell.
+/// Suffix to the names of a scene that is not over, so that pages and pictures show it.
 std::string unfinished_mark(const FillRun& run) {
   if (!run.ran_out_of_time()) return {};
   return results::formatted(" (UNFINISHED, at t = %.4g s)", run.simulation().time());
@@ -235,7 +235,7 @@ results::FillResult powder_and_tools(const Scene& scene, const Tooling& tooling,
   const DieFrame die(run.simulation().body_motion(tooling.die));
   result.powder = powder_state(scene, run.simulation());
   add_images(tooling, result.powder);
-  // A die that stands at its place up to rounding is not to blur results.
+  // A die that is at its place up to rounding must not change the last digits of results.
   if (!die.at_initial_pose()) result.powder = die.powder(std::move(result.powder));
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     const engine::BodyMotion& motion = run.simulation().body_motion(k);

@@ -76,6 +76,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   simulation_->add_grains(grains);
   change_powder();
   probes_.begin(*simulation_);
+  hash_inputs();
 }
 
 void FillRun::run() {

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "engine/limits/validity_monitor.h"
 #include "process/run/checkpoint.h"
@@ -17,6 +19,7 @@
 #include "process/run/schedule.h"
 #include "process/run/snapshots.h"
 #include "process/run/step_engine.h"
+#include "process/scene/identity.h"
 #include "process/tooling/grain_tally.h"
 #include "process/tooling/progress.h"
 #include "process/tooling/tooling.h"
@@ -28,6 +31,8 @@ class FillRun;
 /// How to run, as opposed to what.
 struct RunOptions {
   std::filesystem::path directory;  ///< for checkpoints
+  /// The files that the scene refers to, as they were when it was read; nothing: as they are now.
+  std::optional<std::vector<InputFile>> inputs;
   int threads = 2;
   bool resume = false;  ///< resume from the checkpoint in the directory
   /// Where runs store their shared starts (shared_start.h); empty: nowhere.
@@ -51,12 +56,13 @@ struct Interrupted : std::runtime_error {
 /// A run under way or finished.
 class FillRun {
  public:
-  /// Throws SceneError for a scene that cannot be run, or a checkpoint that belongs to another scene.
+  /// Throws SceneError for a scene that cannot be run, and where a file that it refers to is no longer what
+  /// `options.inputs` says.
   FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& options);
 
   /// Runs to the end, or until numerics.max_time is over; the state then lies in a checkpoint. Throws
-  /// engine::OutOfRange when the method's range is left (the last good checkpoint stands), Interrupted when
-  /// stopped by the user.
+  /// SceneError for a checkpoint of another scene, engine::OutOfRange when the method's range is left (the
+  /// last good checkpoint stands), Interrupted when stopped by the user.
   void run();
   /// Whether numerics.max_time was over before the scene.
   bool ran_out_of_time() const { return !schedule_.finished() && out_of_time(); }
@@ -84,6 +90,7 @@ class FillRun {
   std::vector<std::string> warnings() const;
 
  private:
+  void hash_inputs();
   void start_or_resume();
   void make_step();
   std::uint64_t next_sync_step() const;
@@ -118,13 +125,14 @@ class FillRun {
   void save_shared_start();
   bool keep(const std::function<void()>& write, const std::string& otherwise);
   void show_progress();
-  std::uint64_t scene_hash() const;
   std::uint64_t start_hash(const ScheduleState& schedule, double now) const;
   std::size_t place_of(std::uint64_t id) const;
 
   const Scene& scene_;
   const Tooling& tooling_;
   RunOptions options_;
+  std::vector<InputFile> inputs_;  ///< as they were read: files may be edited while the run goes on
+  std::uint64_t scene_hash_ = 0;   ///< with those contents
   double grain_diameter_;
   double critical_step_;
   std::unique_ptr<engine::Simulation> simulation_;

@@ -2,10 +2,21 @@
 #include "process/input/units.h"
 #include "process/results/storage/result_file.h"
 #include "process/run/fill_run.h"
+#include "process/run/input_record.h"
 #include "process/run/shared_start.h"
-#include "process/scene/identity.h"
 
 namespace diefill::process {
+
+/// Once, as soon as all of them have been read.
+void FillRun::hash_inputs() {
+  inputs_ = input_files(scene_.text, scene_.file);
+  if (const auto changed = changed_file(inputs_, options_.inputs.value_or(inputs_)))
+    throw SceneError(scene_.file.string() + ": the contents of " + *changed +
+                     " have changed while the run was being prepared; run the same command again");
+  std::vector<std::string> tools;
+  for (const Tool& tool : tooling_.tools) tools.push_back(tool.file_hash);
+  scene_hash_ = scene_identity(scene_.text, scene_.file, tools);
+}
 
 void FillRun::start_or_resume() {
   if (const auto own = own_checkpoint()) {
@@ -23,7 +34,7 @@ std::optional<Checkpoint> FillRun::own_checkpoint() const {
   if (!options_.resume) return std::nullopt;
   const auto path = checkpoint_file(options_.directory);
   auto checkpoint = read_checkpoint(path);
-  if (checkpoint && checkpoint->scene_hash != scene_hash())
+  if (checkpoint && checkpoint->scene_hash != scene_hash_)
     throw SceneError(
         path.string() + ": the checkpoint belongs to a different scene or different CAD files than " +
         scene_.file.string() +
@@ -61,7 +72,7 @@ void FillRun::resume_from(const Checkpoint& checkpoint) {
 
 Checkpoint FillRun::checkpoint() const {
   Checkpoint checkpoint;
-  checkpoint.scene_hash = scene_hash();
+  checkpoint.scene_hash = scene_hash_;
   checkpoint.start_hash = start_hash(schedule_.state(), simulation_->time());
   checkpoint.simulation = simulation_->snapshot();
   checkpoint.schedule = schedule_.state();
@@ -114,12 +125,6 @@ bool FillRun::keep(const std::function<void()>& write, const std::string& otherw
   }
 }
 
-std::uint64_t FillRun::scene_hash() const {
-  std::vector<std::string> tools;
-  for (const Tool& tool : tooling_.tools) tools.push_back(tool.file_hash);
-  return scene_identity(scene_.text, scene_.file, tools);
-}
-
 bool FillRun::out_of_time() const {
   return scene_.numerics.max_time > 0 && simulation_->time() > scene_.numerics.max_time;
 }
@@ -135,7 +140,8 @@ std::string FillRun::why_unfinished() const {
 }
 
 std::uint64_t FillRun::start_hash(const ScheduleState& schedule, double now) const {
-  return process::start_hash(scene_, tooling_, {simulation_->settings().time_step, domain_}, schedule, now);
+  const RunFrame frame{simulation_->settings().time_step, domain_, inputs_};
+  return process::start_hash(scene_, tooling_, frame, schedule, now);
 }
 
 }  // namespace diefill::process

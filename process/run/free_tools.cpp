@@ -55,7 +55,7 @@ FreeToolsState FreeTools::state() const {
 void FreeTools::restore(const FreeToolsState& state, engine::Simulation& simulation) {
   // A start that runs share was kept before any tool was free, perhaps with fewer steps.
   if (!state.bodies.empty() && state.numbers.size() != recorded_.size())
-    throw std::invalid_argument("a checkpoint with other free tools");
+    throw std::invalid_argument("the checkpoint has a different number of free tools");
   bodies_.restore(state.bodies, simulation);
   auto from = state.rows.begin();
   for (std::size_t k = 0; k < std::min(recorded_.size(), state.numbers.size()); ++k) {

@@ -9,7 +9,7 @@ namespace diefill::process {
 
 namespace {
 
-/// Share of the powder up to which grains beneath the cavity are strays.
+/// Share of the powder up to which grains beneath the cavity are ignored as strays.
 constexpr double kStrays = 1e-3;
 
 /// Beneath the cavities, a grain diameter wider, as what falls out drifts.

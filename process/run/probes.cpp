@@ -191,7 +191,8 @@ ProbesState Probes::state() const {
 }
 
 void Probes::restore(const ProbesState& state) {
-  if (state.probes.size() != specs_.size()) throw std::invalid_argument("a checkpoint with other probes");
+  if (state.probes.size() != specs_.size())
+    throw std::invalid_argument("the checkpoint has a different number of probes");
   states_ = state.probes;
   auto from = state.rows.begin();
   for (std::size_t k = 0; k < rows_.size(); ++k) {

@@ -87,7 +87,7 @@ bool Schedule::ends(std::size_t k, const engine::Simulation& simulation) {
   const Step& step = *stages_.steps[k];
   StepState& state = state_.steps[k];
   const double now = simulation.time();
-  // Motions go on from where they are at this call, so a stop that is asked for now begins now.
+  // Motions continue from their state at this call, so a stop requested now begins now.
   if (state.stop_requested < 0 && stops(k, simulation)) state.stop_requested = now;
   const double stop = state.stop_requested < 0 ? -1 : state.stop_requested - state.started;
   return now - state.started >= step_length(step, stop);

@@ -3,12 +3,10 @@
 #include <toml++/toml.h>
 
 #include "engine/numerics/fnv1a.h"
-#include "geometry/cad/mesh_import.h"
 #include "process/machine/actions/powder_inflow.h"
 #include "process/machine/step.h"
 #include "process/results/storage/hash_text.h"
 #include "process/results/storage/result_file.h"
-#include "process/scene/identity.h"
 #include "process/scene/scene_text.h"
 
 namespace diefill::process {
@@ -33,9 +31,9 @@ toml::table plan_of(const toml::table& step) {
 }
 
 /// What the table that a step follows holds is what acts, not how its file is called.
-void name_by_contents(toml::table& step, const fs::path& scene) {
+void name_by_contents(toml::table& step, const std::vector<InputFile>& inputs) {
   const auto file = step["file"].value_exact<std::string>();
-  if (file) step.insert_or_assign("file", geometry::file_hash(scene.parent_path() / *file));
+  if (file) step.insert_or_assign("file", hash_of_input(inputs, *file));
 }
 
 /// Scenes may have more or fewer steps at the end, as long as nothing of them counts yet.
@@ -44,7 +42,8 @@ void drop_last_without_plan(toml::array& steps) {
 }
 
 /// The scene's text without what has no part in the run so far.
-std::string text_so_far(const Scene& scene, const ScheduleState& schedule, double now) {
+std::string text_so_far(const Scene& scene, const std::vector<InputFile>& inputs,
+                        const ScheduleState& schedule, double now) {
   toml::table document = relevant_document(scene.text, scene.file);
   document.erase("snapshot");
   for (std::size_t k = 0; k < scene.steps.size(); ++k) {
@@ -53,17 +52,17 @@ std::string text_so_far(const Scene& scene, const ScheduleState& schedule, doubl
     if (!has_acted(*scene.steps[k], schedule.steps[k + 1], now))
       step = plan_of(step);
     else
-      name_by_contents(step, scene.file);
+      name_by_contents(step, inputs);
   }
   if (toml::array* steps = document["step"].as_array()) drop_last_without_plan(*steps);
   return scene_text_of(document);
 }
 
 /// What the files that the powder begins with hold, such as pour.state: their names say nothing of it.
-void add_powder_files(engine::Fnv1a& hash, const Scene& scene) {
+void add_powder_files(engine::Fnv1a& hash, const Scene& scene, const std::vector<InputFile>& inputs) {
   toml::table document = relevant_document(scene.text, scene.file);
   document.erase("step");  // name_by_contents()
-  for (const InputFile& file : input_files(scene_text_of(document), scene.file)) hash.add(file.hash);
+  for (const std::string& name : input_names(document)) hash.add(hash_of_input(inputs, name));
 }
 
 void add_vector(engine::Fnv1a& hash, const Eigen::Vector3d& vector) {
@@ -91,8 +90,8 @@ void add_tools(engine::Fnv1a& hash, const Tooling& tooling) {
 std::uint64_t start_hash(const Scene& scene, const Tooling& tooling, const RunFrame& frame,
                          const ScheduleState& schedule, double now) {
   engine::Fnv1a hash;
-  hash.add(text_so_far(scene, schedule, now));
-  add_powder_files(hash, scene);
+  hash.add(text_so_far(scene, frame.inputs, schedule, now));
+  add_powder_files(hash, scene, frame.inputs);
   hash.add_number(scene.seed);
   add_tools(hash, tooling);
   hash.add_number(frame.time_step);

@@ -6,16 +6,19 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "process/run/checkpoint.h"
+#include "process/scene/identity.h"
 #include "process/tooling/tooling.h"
 
 namespace diefill::process {
 
 /// What else determines a run besides its scene and the shape of its walls.
 struct RunFrame {
-  double time_step = 0;  ///< s
-  geometry::Box domain;  ///< m, grains beyond it leave the computation
+  double time_step = 0;                ///< s
+  geometry::Box domain;                ///< m, grains beyond it leave the computation
+  std::vector<InputFile> inputs = {};  ///< that the scene refers to, as they were when they were read
 };
 
 /// Hash of all that has acted on a run up to `now` (s): the scene without its title, limits and intervals of

@@ -23,7 +23,7 @@ class StepEngine {
   virtual void sync_grains(engine::Simulation& simulation) = 0;
   /// The same for grains and contacts: all of the state can then be read, changed and stored.
   virtual void sync_contacts(engine::Simulation& simulation) = 0;
-  /// Whether that has been done at the present step.
+  /// Whether this has been done at the present step.
   virtual bool contacts_are_synced() const = 0;
 
   /// For reports: "LAMMPS 20210929 on 4 ranks ...".

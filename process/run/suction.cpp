@@ -8,7 +8,8 @@
 namespace diefill::process {
 namespace {
 
-/// Share of the air's speed that a grain may take on in one step: well below the 2 at which it swings up.
+/// Share of the air's speed that a grain may take on in one step: well below 2, at which its oscillation
+/// grows.
 constexpr double kMaxTakenAlong = 0.2;
 
 [[noreturn]] void refuse_fine_particles(const Scene& scene, double taken_along) {

@@ -2,6 +2,9 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "engine/numerics/fnv1a.h"
 #include "process/results/storage/file_contents.h"
 #include "process/results/storage/hash_text.h"
@@ -15,24 +18,6 @@ std::string bytes_of(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return {};
   return results::contents_or_nothing(file).value_or("");
-}
-
-/// The files of clumps' spheres, of placed grains, of the state that powder begins with, and the tables that
-/// steps follow, in the order of the steps; as the scene names them.
-std::vector<std::string> referred_names(const toml::table& document) {
-  std::vector<std::string> names;
-  const auto take = [&](toml::node_view<const toml::node> node, const char* key, const char* behind) {
-    if (const auto name = node[key].value<std::string>()) names.push_back(*name + behind);
-  };
-  take(document["powder"], "spheres_file", "");
-  if (const toml::array* others = document["other_powder"].as_array())
-    for (const toml::node& other : *others)
-      take(toml::node_view<const toml::node>(other), "spheres_file", "");
-  take(document["pour"], "grains_file", "");
-  take(document["pour"], "state", "/results.h5");
-  if (const toml::array* steps = document["step"].as_array())
-    for (const toml::node& step : *steps) take(toml::node_view<const toml::node>(step), "file", "");
-  return names;
 }
 
 }  // namespace
@@ -55,18 +40,40 @@ std::uint64_t scene_identity(const std::string& text, const std::filesystem::pat
   engine::Fnv1a hash;
   hash.add(scene_text_of(document));
   for (const std::string& tool : tool_hashes) hash.add(tool);
-  for (const std::string& name : referred_names(document)) hash.add(bytes_of(file.parent_path() / name));
+  for (const std::string& name : input_names(document)) hash.add(bytes_of(file.parent_path() / name));
   return hash.value();
+}
+
+std::vector<std::string> input_names(const toml::table& document) {
+  std::vector<std::string> names;
+  const auto take = [&](toml::node_view<const toml::node> node, const char* key, const char* behind) {
+    if (const auto name = node[key].value<std::string>()) names.push_back(*name + behind);
+  };
+  take(document["powder"], "spheres_file", "");
+  if (const toml::array* others = document["other_powder"].as_array())
+    for (const toml::node& other : *others)
+      take(toml::node_view<const toml::node>(other), "spheres_file", "");
+  take(document["pour"], "grains_file", "");
+  take(document["pour"], "state", "/results.h5");
+  if (const toml::array* steps = document["step"].as_array())
+    for (const toml::node& step : *steps) take(toml::node_view<const toml::node>(step), "file", "");
+  return names;
 }
 
 std::vector<InputFile> input_files(const std::string& text, const std::filesystem::path& file) {
   std::vector<InputFile> files;
-  for (const std::string& name : referred_names(relevant_document(text, file))) {
+  for (const std::string& name : input_names(relevant_document(text, file))) {
     engine::Fnv1a hash;
     hash.add(bytes_of(file.parent_path() / name));
     files.push_back({name, results::hash_text(hash.value())});
   }
   return files;
+}
+
+const std::string& hash_of_input(const std::vector<InputFile>& files, const std::string& name) {
+  const auto found = std::ranges::find(files, name, &InputFile::name);
+  if (found == files.end()) throw std::logic_error("no hash of the input file " + name);
+  return found->hash;
 }
 
 }  // namespace diefill::process

@@ -33,4 +33,10 @@ struct InputFile {
 /// SceneError for text that is not TOML.
 std::vector<InputFile> input_files(const std::string& text, const std::filesystem::path& file);
 
+/// The names of all such files in a scene's document, in the order of input_files().
+std::vector<std::string> input_names(const toml::table& document);
+
+/// Hash of the one of `files` with that name. Throws std::logic_error where there is none.
+const std::string& hash_of_input(const std::vector<InputFile>& files, const std::string& name);
+
 }  // namespace diefill::process

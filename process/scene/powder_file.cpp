@@ -165,7 +165,7 @@ std::string fitted_with_warning(const Scene& scene) {
   TableReader reader(*powder, scene.file, "powder");
   const FittedWith then = *read_fitted_with(reader), now = fitted_with_of(scene, "");
   std::string words;
-  if (now.wall_kind != then.wall_kind) words += "other kind of walls";
+  if (now.wall_kind != then.wall_kind) words += "a different kind of wall";
   if (then.wall_kind == WallKind::spheres && now.wall_kind == WallKind::spheres) {
     if (differ(now.wall_sphere_radius, then.wall_sphere_radius))
       add(words, "wall spheres of radius", 1e3 * now.wall_sphere_radius, 1e3 * then.wall_sphere_radius,
@@ -174,12 +174,12 @@ std::string fitted_with_warning(const Scene& scene) {
       add(words, "wall spacing", now.wall_spacing, then.wall_spacing, "");
   }
   if (now.contact != then.contact)
-    words += std::string(words.empty() ? "" : ", ") + "another [contact]";
+    words += std::string(words.empty() ? "" : ", ") + "a different [contact]";
   else if (now.contact.empty() && differ(now.reduced_modulus, then.reduced_modulus))
     add(words, "reduced modulus", 1e-6 * now.reduced_modulus, 1e-6 * then.reduced_modulus, " MPa");
   if (words.empty()) return {};
-  return "the powder was fitted with other settings than this scene's (" + words +
-         "): its friction and adhesion belong to those; use the same or calibrate again";
+  return "the powder was calibrated with different settings (" + words +
+         "): its friction and adhesion are valid only with those; use the same settings or calibrate again";
 }
 
 }  // namespace diefill::process

@@ -211,8 +211,10 @@ Scene changed_scene(const std::string& text, const std::filesystem::path& file, 
   toml::table document = parse_scene_text(text, file);
   document.erase("variant");
   for (const std::string& key : changes.without) take_out(document, words_of(key, file));
-  toml::table set = parse_changes(changes.set, changes.called);
-  merge(document, set, file, "");
+  for (const std::string& layer : {changes.under, changes.set}) {
+    toml::table laid = parse_changes(layer, changes.called);
+    merge(document, laid, file, "");
+  }
   return scene_of(document, scene_text_of(document), file);
 }
 

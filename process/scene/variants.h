@@ -33,6 +33,7 @@ struct SceneChanges {
   std::vector<std::string>
       without;                   ///< keys of the file that are taken out first, such as "numerics.time_step"
   std::string called = "--set";  ///< where `set` comes from, for messages
+  std::string under = {};        ///< TOML laid over the file before `set`, which may give a key of it again
 };
 
 /// The scene in `text` (`file` stands in messages and resolves relative paths) with the changes, read and

@@ -58,7 +58,7 @@ geometry::WallSpheres spheres_of(const Scene& scene, const Tool& tool, double gr
   return make();
 }
 
-/// The tool's wall spheres; complaints about its geometry name the tool.
+/// The tool's wall spheres; errors in its geometry name the tool.
 geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_diameter,
                             decltype(geometry::WallSphereOptions::reachable) reachable,
                             decltype(geometry::WallSphereOptions::on_progress) on_progress) {
@@ -118,7 +118,7 @@ Tooling cover_tooling(const Scene& as_read, Tooling tooling, double smallest_rad
   for (const Tool& tool : tooling.tools)
     parts.push_back({tool.spec.name, static_cast<double>(tool.mesh.triangles.size())});
   CoverProgress progress(parts);
-  // Tools do not know of each other: they are covered side by side.
+  // Tools are independent of each other: they are covered in parallel.
   std::vector<std::future<geometry::WallSpheres>> covered;
   for (std::size_t k = 0; k < tooling.tools.size(); ++k)
     covered.push_back(std::async(std::launch::async, [&, k] {

@@ -50,7 +50,7 @@ std::string box_text(const PowderInflow& inflow) {
   return text;
 }
 
-/// kg/s that grains which fall out of the box leave room for.
+/// kg/s for which grains that fall out of the box make room.
 double largest_rate(const Scene& scene, const PowderInflow& inflow, double share) {
   const double across = 2 * mean_grain(scene).bounding_radius();
   const Eigen::Vector3d size = (inflow.upper - inflow.lower).cwiseMax(across);

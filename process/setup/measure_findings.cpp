@@ -56,7 +56,7 @@ SetupFinding outside(const std::string& kind, const std::string& name, const geo
   std::snprintf(
       text, sizeof text,
       " meets neither tools nor powder, which lie from (%.4g, %.4g, %.4g) to (%.4g, %.4g, %.4g) mm: "
-      "nothing is measured there; correct its place",
+      "nothing is measured there; correct its position",
       from.x(), from.y(), from.z(), to.x(), to.y(), to.z());
   return {"[[measure." + kind + "]] \"" + name + "\"" + text, {}};  // its place would shrink the picture
 }

@@ -27,7 +27,7 @@ std::string place(const Scene& scene) {
 /// Grains poured, and those that steps let in.
 double all_grains(const Scene& scene) {
   const Eigen::Vector3d size = scene.pour.upper - scene.pour.lower;
-  // As many as can be said even where a whole number cannot.
+  // A floating-point number: the count may exceed any integer type.
   double grains = scene.other_powders.empty()
                       ? size[0] * size[1] * scene.pour.fill_height * expected_solid_fraction(scene) /
                             mean_grain(scene).solid_volume
@@ -62,7 +62,7 @@ void refuse_steps(const Scene& scene, double seconds, double time_step, double s
       results::formatted("allowed: at most %.3g, because the run would never end", kMaxSphereSteps) + advice);
 }
 
-/// Whatever max_time says: nobody can tell where tools are after such times.
+/// Whatever max_time says: positions of tools cannot be computed after such times.
 void refuse_endless_motion(const Scene& scene, double seconds) {
   constexpr double kLongest = 1e8;  // s
   if (seconds <= kLongest) return;

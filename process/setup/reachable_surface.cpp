@@ -187,9 +187,9 @@ geometry::ReachRequest request_of(const Scene& scene, const Tooling& tooling, do
 
 ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, double grain_diameter) {
   geometry::ReachRequest request = request_of(scene, tooling, grain_diameter);
-  // Flooded voxels are free space up to the walls: only their size makes the answer fuzzy.
-  // Wide enough to join the frayed borders of what was flooded: a strip of wall too many costs little, a gap
-  // grains.
+  // Flooded voxels are free space up to the walls: the answer is uncertain only by their size. The margin is
+  // wide enough to close the ragged border of the flooded space: an extra strip of wall costs little, a gap
+  // loses grains.
   margin_ = 2 * request.voxel + 0.5 * grain_diameter;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto& period = scene.numerics.period[axis];

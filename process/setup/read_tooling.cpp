@@ -17,7 +17,7 @@ namespace diefill::process {
 
 namespace {
 
-/// More than 0; what cannot be read is complained about when it is read.
+/// More than 0; errors of files that cannot be read are reported when they are read.
 double bytes_of(const ToolSpec& spec) {
   std::error_code failed;
   const auto size = std::filesystem::file_size(spec.file, failed);
@@ -120,7 +120,7 @@ Scene prepare_passages(const Scene& scene, const Tooling& tooling, const std::ve
   }
 }
 
-/// Where tools stand that stay at their place in the long run, with the room they need about it.
+/// Space taken up by tools that keep their mean position, including their motion about it.
 void find_standing(const Scene& scene, Tooling& tooling) {
   const Stages stages(scene);
   const auto states = predicted(stages, kSettlingGuess);

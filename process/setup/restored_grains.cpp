@@ -63,7 +63,7 @@ void refuse_other_period(const Scene& scene, const results::PowderState& powder)
   }
 }
 
-/// A grain that rests on a tool is pressed in by its overlap only; one that is deeper would be shot away.
+/// A grain that rests on a tool penetrates it by its contact overlap only; a deeper one would be ejected.
 void refuse_grain_in_tool(const Scene& scene, const engine::SimulationSettings& settings,
                           const Tooling& tooling, const std::vector<engine::NewGrain>& grains) {
   for (const Tool& tool : tooling.tools) {
@@ -103,9 +103,10 @@ void refuse_missing_lists(const Scene& scene, const results::PowderState& powder
                                       {"orientation", powder.orientation.size()},
                                       {"angular_velocity", powder.angular_velocity.size()}})
     if (entries != grains)
-      refuse(scene, "state",
-             std::string("those results have no /powder/") + what +
-                 " of the grains, from which a run could begin; give the results of a run of this program");
+      refuse(
+          scene, "state",
+          std::string("those results have no /powder/") + what +
+              " of the grains, which a run needs to start from; give the results of a run of this program");
 }
 
 }  // namespace

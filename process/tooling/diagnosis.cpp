@@ -12,7 +12,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr double kReachOverDiameter = 3;  // wider than this, two tools are no neighbours but an opening
+constexpr double kReachOverDiameter = 3;  // wider gaps are openings, not clearances of neighbours
 constexpr double kMinReach = 1e-3;        // m
 constexpr double kSampleSpacing = 5e-4;   // m
 constexpr double kSymmetryOverRadius = 0.2;

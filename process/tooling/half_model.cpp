@@ -110,7 +110,7 @@ bool lies_in_plane(const ToolMotion& motion, int axis) {
          (mirror * motion.rotation * mirror - motion.rotation).norm() <= kOutOfPlane;
 }
 
-/// Looks at the motion at many instants, at no regular distance, so that no shaking hides between them.
+/// Checks the motion at many irregularly spaced instants, so that no oscillation is missed between them.
 bool step_lies_in_plane(const Step& step, int axis) {
   constexpr int kInstants = 2000;
   constexpr double kGoldenRatio = 0.6180339887498949, kOpenEnded = 1;  // s, long enough to see what it does

@@ -89,7 +89,7 @@ void check_size(const geometry::Mesh& mesh, double sphere_radius, double metres_
                 const std::string& where) {
   const Eigen::Vector3d size = mesh.bounding_box().size();
   const bool too_large = size.maxCoeff() > kLargestTool, too_small = size.maxCoeff() < 4 * sphere_radius;
-  if (!too_large) refuse_far(mesh, where);  // a tool of 200 m lies far away for its unit's sake
+  if (!too_large) refuse_far(mesh, where);  // a tool of 200 m is far away only because of its unit
   if (!too_large && !too_small) return;
   char text[240];
   std::snprintf(text, sizeof text,

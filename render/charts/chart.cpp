@@ -185,10 +185,7 @@ void paint_chart(QPainter& painter, const Chart& chart, const ChartLayout& layou
   layout.heading.draw(painter, kMargin, kMargin - 8);
   draw_legend(&painter, chart.curves, layout.legend_left, layout.legend_top, layout.legend_width);
   draw_grid(painter, layout.plot);
-  painter.save();
-  painter.setClipRect(layout.plot.rect.adjusted(-12, -12, 12, 12));
   for (std::size_t k = 0; k < chart.curves.size(); ++k) draw_curve(painter, layout.plot, chart.curves, k);
-  painter.restore();
   draw_axes(painter, layout.plot, {kWidth, layout.height});
   std::vector<AxisMarker> markers;
   for (const auto& marker : chart.markers) markers.push_back({marker.x, QString::fromStdString(marker.text)});

@@ -90,6 +90,29 @@ bool is_drawable(const QPointF& point) {
   return std::isfinite(point.x()) && std::isfinite(point.y());
 }
 
+// What lies beyond the axes' limits is not drawn; a curve along the frame keeps its whole width.
+void clip_to_frame(QPainter& painter, const PlotArea& area) {
+  constexpr double kHalfLine = 0.5 * kLineWidth;
+  painter.setClipRect(area.rect.adjusted(-kHalfLine, -kHalfLine, kHalfLine, kHalfLine));
+}
+
+void draw_level_dashes(QPainter& painter, const PlotArea& area, const Curve& curve, const Look& look) {
+  for (std::size_t k = 0; k < curve.x.size(); ++k) {
+    const QPointF point = area.pixel(curve.x[k], curve.y[k]);
+    if (is_drawable(point)) draw_level_dash(painter, point, look);
+  }
+}
+
+// Marks on the frame are whole, those beyond it are left out.
+void draw_marks(QPainter& painter, const PlotArea& area, const Curve& curve, const Look& look) {
+  constexpr double kRounding = 0.5;  // pixels
+  const QRectF shown = area.rect.adjusted(-kRounding, -kRounding, kRounding, kRounding);
+  for (std::size_t k = 0; k < curve.x.size(); ++k) {
+    const QPointF point = area.pixel(curve.x[k], curve.y[k]);
+    if (is_drawable(point) && shown.contains(point)) draw_marker(painter, point, look);
+  }
+}
+
 void draw_line(QPainter& painter, const PlotArea& area, const Curve& curve, const Look& look) {
   QPainterPath path;
   bool in_piece = false;
@@ -200,6 +223,8 @@ void draw_curve(QPainter& painter, const PlotArea& area, const std::vector<Curve
                 std::size_t index) {
   const Curve& curve = curves[index];
   const Look look = look_of(curves, index);
+  painter.save();
+  clip_to_frame(painter, area);
   draw_band(painter, area, curve, look);
   if (curve.style == CurveStyle::kBars) {
     draw_bars(painter, area, curve, look);
@@ -207,16 +232,9 @@ void draw_curve(QPainter& painter, const PlotArea& area, const std::vector<Curve
     draw_line(painter, area, curve, look);
   }
   draw_error_bars(painter, area, curve, look);
-  const bool is_reference = curve.style == CurveStyle::kReference;
-  if (!has_marks(curve.style) && !is_reference) return;
-  for (std::size_t k = 0; k < curve.x.size(); ++k) {
-    const QPointF point = area.pixel(curve.x[k], curve.y[k]);
-    if (!is_drawable(point)) continue;
-    if (is_reference)
-      draw_level_dash(painter, point, look);
-    else
-      draw_marker(painter, point, look);
-  }
+  if (curve.style == CurveStyle::kReference) draw_level_dashes(painter, area, curve, look);
+  painter.restore();
+  if (has_marks(curve.style)) draw_marks(painter, area, curve, look);
 }
 
 double draw_legend(QPainter* painter, const std::vector<Curve>& curves, double left, double top,

@@ -14,7 +14,8 @@ QColor curve_colour(std::size_t index);
 /// Whether points are marked.
 bool has_marks(CurveStyle style);
 
-/// Draws the k-th of `curves` inside the data rectangle.
+/// Draws the k-th of `curves` inside the data rectangle: lines, bands and bars end at the frame, marks beyond
+/// it are left out.
 void draw_curve(QPainter& painter, const PlotArea& area, const std::vector<Curve>& curves, std::size_t index);
 
 /// Draws curve names in columns within `width`, from `top` down; without a painter only measures.

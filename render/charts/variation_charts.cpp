@@ -1,5 +1,7 @@
 #include "render/charts/variation_charts.h"
 
+#include <cmath>
+
 #include "render/charts/profile_axes.h"
 #include "render/style/text.h"
 
@@ -54,6 +56,18 @@ Chart profile_chart(const std::vector<Named<results::Profile>>& profiles, const 
   set_profile_axes(chart, profiles.front().data);
   for (const auto& [name, profile] : profiles)
     chart.curves.push_back({name, profile.x, profile.y, CurveStyle::kLine, {}});
+  return chart;
+}
+
+Chart fill_level_chart(const std::vector<Named<results::Profile>>& levels, double depth,
+                       const std::string& subtitle) {
+  Chart chart = profile_chart(levels, "Fill level", subtitle);
+  if (levels.empty() || levels.front().data.x.empty()) return chart;
+  const auto& places = levels.front().data.x;
+  const std::vector<double> ends = std::isnan(chart.x.lower)
+                                       ? std::vector<double>{places.front(), places.back()}
+                                       : std::vector<double>{chart.x.lower, chart.x.upper};
+  chart.curves.push_back({"fill plane", ends, {depth, depth}, CurveStyle::kReference, {}});
   return chart;
 }
 

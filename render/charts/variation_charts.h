@@ -27,4 +27,8 @@ Chart histogram_chart(const std::vector<Named<results::Histogram>>& histograms, 
 Chart profile_chart(const std::vector<Named<results::Profile>>& profiles, const std::string& title,
                     const std::string& subtitle);
 
+/// Fill levels [mm] above the cavity's floor, with the fill plane `depth` above it as a reference.
+Chart fill_level_chart(const std::vector<Named<results::Profile>>& levels, double depth,
+                       const std::string& subtitle);
+
 }  // namespace diefill::render

@@ -105,7 +105,7 @@ double FieldSampler::mean_of(const Corners& corners) {
     sum += part * value;
     weight += part;
   }
-  // What outweighs the rest is there: places end half-way between nodes, rounded at corners.
+  // The kind of place with the largest weight counts: places end half-way between nodes, rounded at corners.
   const double empty = 1 - weight - unvalued - tool;
   if (weight + unvalued >= 0.5 || weight + unvalued > std::max(tool, empty))
     return weight >= unvalued ? sum / weight : results::unvalued_powder();

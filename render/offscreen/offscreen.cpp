@@ -44,7 +44,7 @@ void OffscreenWindow::OpenGLInitContext() {
   ContextCreationTime.Modified();
   MakeCurrent();
   glewExperimental = GL_TRUE;
-  glewInit();  // its return code speaks of GLX, which is not used here
+  glewInit();  // its return code refers to GLX, which is not used here
   GlewInitValid = GLEW_VERSION_3_2;
   Initialized = true;
 }

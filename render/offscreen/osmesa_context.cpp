@@ -38,7 +38,7 @@ OsmesaContext::OsmesaContext(int width, int height)
                             0};
   handle_ = osmesa().create_context(attributes, nullptr);
   if (!handle_)
-    throw std::runtime_error("no software renderer: OSMesa gave no OpenGL 3.3 context (libosmesa6)");
+    throw std::runtime_error("no software renderer: OSMesa cannot create an OpenGL 3.3 context (libosmesa6)");
 }
 
 OsmesaContext::~OsmesaContext() {

@@ -19,7 +19,7 @@ void find(void* library, const char* name, Function& function) {
 }
 
 OsmesaLibrary opened() {
-  // Never closed: what it has drawn may still be asked for when static objects die.
+  // Never closed: its functions may still be called while static objects are destroyed.
   void* const library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr)
     throw std::runtime_error(std::string("no software renderer: ") + dlerror() +

@@ -22,7 +22,8 @@ void start_offscreen(int& argc, char** argv) {
     static char* arguments[] = {argc > 0 ? argv[0] : nameless, nullptr};
     // Qt remarks on missing session folders, which pictures do not need.
     QLoggingCategory::setFilterRules(QStringLiteral("default.warning=false"));
-    // Never deleted: pictures may be drawn until the very end, and static objects die in no helpful order.
+    // Never deleted: pictures may be drawn until the very end, and the order in which static objects are
+    // destroyed is undefined.
     static const auto* const application = new QGuiApplication(count, arguments);
     static_cast<void>(application);
     QLoggingCategory::setFilterRules(QString());

@@ -226,7 +226,7 @@ Figure effects_picture(const results::Screening& screening, std::size_t quantity
     chart.curves.push_back(std::move(curve));
   }
   chart.x.upper = x + 1;
-  Curve zero{"", {0, x + 1}, {0, 0}, CurveStyle::kLine, {}};
+  Curve zero{"", {0, x + 1}, {0, 0}, CurveStyle::kReference, {}};
   chart.curves.push_back(zero);
   chart.note = "All main effects, and those strings of interactions that stand out from their margin";
   return chart_picture(chart, "effects on " + about.name);

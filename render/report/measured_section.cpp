@@ -59,9 +59,9 @@ std::vector<MeasuredPicture> profile_pictures(const MeasuredComparison& comparis
   difference.title = "Simulated minus measured " + what;
   difference.y.label = "Difference" + (comparison.unit == "1" ? "" : " [" + comparison.unit + "]");
   const auto [least, most] = std::minmax_element(comparison.first.begin(), comparison.first.end());
-  difference.curves = {{"", comparison.first, differences(comparison), CurveStyle::kLineAndMarkers,
-                        known_deviations(comparison)},
-                       {"", {*least, *most}, {0, 0}, CurveStyle::kLine, {}}};
+  difference.curves = {{"", {*least, *most}, {0, 0}, CurveStyle::kReference, {}},
+                       {"", comparison.first, differences(comparison), CurveStyle::kLineAndMarkers,
+                        known_deviations(comparison)}};
   return {{"", chart_picture(both, "measured and simulated " + what)},
           {"_difference", chart_picture(difference, "difference of " + what)}};
 }
@@ -106,8 +106,9 @@ MeasuredPicture scatter_picture(const MeasuredComparison& comparison) {
   chart.x.label = with_unit_of("Measured " + comparison.quantity, comparison.unit);
   chart.y.label = with_unit_of("Simulated " + comparison.quantity, comparison.unit);
   const ColourRange range = range_of(comparison);
-  chart.curves = {{"points", comparison.measured, comparison.simulated, CurveStyle::kMarkers, {}},
-                  {"equal", {range.lower, range.upper}, {range.lower, range.upper}, CurveStyle::kLine, {}}};
+  chart.curves = {
+      {"equal", {range.lower, range.upper}, {range.lower, range.upper}, CurveStyle::kReference, {}},
+      {"points", comparison.measured, comparison.simulated, CurveStyle::kMarkers, {}}};
   return {"_scatter", chart_picture(chart, "simulated over measured " + comparison.quantity)};
 }
 

@@ -20,7 +20,8 @@ struct Tone {
   std::array<double, 3> surface, cut;
 };
 
-// Steels a little apart, so that die, core, punch and shoe are told from each other where they touch.
+// Slightly different shades of steel, so that die, core, punch and shoe can be distinguished where they
+// touch.
 Tone tone_of(const std::string& role) {
   if (role == "core") return {{0.80, 0.82, 0.86}, {0.62, 0.65, 0.71}};
   if (role == "punch") return {{0.74, 0.77, 0.82}, {0.50, 0.54, 0.62}};

@@ -91,8 +91,9 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_in(const std::filesystem::path& file) 
   const bool is_vtk = tester->TestReadFile() != 0 && tester->GetFileDataType() != nullptr;
   const std::string kind = is_vtk ? tester->GetFileDataType() : "";
   if (kind != "UnstructuredGrid")
-    throw std::invalid_argument("found " + (kind.empty() ? "no VTK file" : "VTK data of kind " + kind) +
-                                ", expected an UnstructuredGrid (.vtu)");
+    throw std::invalid_argument(
+        "found " + (kind.empty() ? "a file that is not in VTK format" : "VTK data of type " + kind) +
+        ", expected an UnstructuredGrid (.vtu)");
   refuse_excessive_counts(file);
   std::string complaint;
   const auto listener = vtkSmartPointer<vtkCallbackCommand>::New();
@@ -142,7 +143,7 @@ void add_cell(SolidMesh& mesh, vtkUnstructuredGrid* grid, vtkIdType cell) {
   if (!shape) {
     if (has_volume(type))
       throw std::invalid_argument(
-          "cell " + std::to_string(cell) + " is of VTK's type " + std::to_string(type) +
+          "cell " + std::to_string(cell) + " has VTK type " + std::to_string(type) +
           ", allowed: tetrahedra, hexahedra, wedges and pyramids (10, 12, 13, 14, 24, "
           "25, 26)");
     ++mesh.left_out;
@@ -193,7 +194,8 @@ SolidMesh read_vtu(const std::filesystem::path& file, double unit) {
   vtkDataArray* ids = grid->GetPointData()->GetGlobalIds();
   for (vtkIdType n = 0; n < grid->GetNumberOfPoints(); ++n) {
     const Eigen::Vector3d place(grid->GetPoint(n));
-    if (!place.allFinite()) throw std::invalid_argument("point " + std::to_string(n) + " is no number");
+    if (!place.allFinite())
+      throw std::invalid_argument("point " + std::to_string(n) + " has a coordinate that is not a number");
     mesh.nodes.push_back(unit * place);
     mesh.node_numbers.push_back(number_of(ids, n));
   }

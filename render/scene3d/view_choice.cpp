@@ -47,7 +47,7 @@ Box cavities_of(const results::FillResult& result) {
   return all;
 }
 
-/// Of one cavity: several are not to be seen from afar.
+/// Of one cavity: the width over several would put the view too far away.
 double width_of(const results::CavityState& cavity) {
   return (cavity.upper_corner - cavity.lower_corner).head<2>().maxCoeff();
 }

@@ -6,8 +6,8 @@
 
 namespace diefill::render {
 
-// oneTBB itself orders what is written before and after; the counters tell the thread sanitizer, for which
-// Debian's library is not built.
+// oneTBB itself orders memory accesses before and after the loop; the counters show this order to the thread
+// sanitizer, for which Debian's library is not built.
 void on_all_cores(int count, const std::function<void(int)>& work) {
   std::atomic<int> begun = 0, ended = 0;
   begun.store(1, std::memory_order_release);

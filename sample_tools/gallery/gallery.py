@@ -4,7 +4,7 @@
     python3 sample_tools/gallery/gallery.py                   runs all; fails where an answer leaves its range
     python3 sample_tools/gallery/gallery.py --only first_map  runs one
     python3 sample_tools/gallery/gallery.py --write           also keeps answers, times, pictures and the page
-    python3 sample_tools/gallery/gallery.py --page            says whether the page is that of the kept answers
+    python3 sample_tools/gallery/gallery.py --page            checks that the page agrees with the kept answers
 
 The program is that of the build or, where there is none, the installed one; results go to out/gallery of the current
 folder.

@@ -91,8 +91,8 @@ TEST(Calibrate, BadFilesEndInOneLineBeforeAnythingRuns) {
     EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
     EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
   };
-  refused("\"90 mg\"", "\"90\"", "not a unit");
-  refused("\"90 mg\"", "\"90 mm\"", "not a unit");
+  refused("\"90 mg\"", "\"90\"", "does not have the dimension of");
+  refused("\"90 mg\"", "\"90 mm\"", "does not have the dimension of");
   refused("\"2 mg\"", "\"0 mg\"", "the standard deviation is 0");
   refused("filled_mass_kg", "filled_mass_kgg", "did you mean \"filled_mass_kg\"?");
   refused("scene.toml", "none.toml", "none.toml");

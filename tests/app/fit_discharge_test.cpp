@@ -122,7 +122,7 @@ TEST_F(FitDischarge, LeavesOutWithUntilWhatCameOnceTheHopperWasEmpty) {
   const std::vector<std::string> whole = {"fit-discharge", file,        "--density", "2.1 g/cm^3",  "--width",
                                           "15 mm",         "--length",  "2.16 mm",   "--opened",    "0.1 s",
                                           "--law",         "transient", "--out",     out().string()};
-  expect_refused(whole, "leave out with --until");
+  expect_refused(whole, "exclude the points after the hopper has emptied (--until)");
   auto flowing = whole;
   flowing.insert(flowing.end(), {"--until", "0.5 s"});
   const Outcome outcome = run_program(flowing);

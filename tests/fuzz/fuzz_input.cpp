@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/cad/cad_child.h"
 #include "geometry/cad/mesh_import.h"
 #include "geometry/mesh/mesh_repair.h"
 #include "project_paths.h"
@@ -39,6 +40,22 @@ std::vector<FuzzInput> whole_files() {
           sample_tool("shoe/shoe.igs"),         sample_tool("narrow_ring/narrow_ring_d1.88.step")};
 }
 
+std::string refusal(ChildFailure failure) {
+  switch (failure) {
+    case ChildFailure::kCrashed:
+      return "refused, importer crashed";
+    case ChildFailure::kTooLong:
+      return "refused, importer took too long";
+    case ChildFailure::kTooMuchMemory:
+      return "refused, importer took too much memory";
+    case ChildFailure::kNoChild:
+      return "refused, no process to read in";
+    case ChildFailure::kRefused:
+      break;
+  }
+  return "refused";
+}
+
 }  // namespace
 
 std::vector<FuzzInput> seeds() {
@@ -72,10 +89,9 @@ std::string outcome_of(const std::filesystem::path& file) {
     const RepairedMesh repaired = repair_mesh(mesh, findings, {});
     if (findings.usable()) return "read, usable";
     return repaired.findings.usable() ? "read, repaired" : "read, not usable";
-  } catch (const MeshError& error) {
-    const std::string words = error.what();
-    for (const char* kind : {"crashed", "does not terminate", "more data than"})
-      if (words.find(kind) != std::string::npos) return std::string("refused, importer ") + kind;
+  } catch (const UnreadableFile& error) {
+    return refusal(error.failure);
+  } catch (const MeshError&) {
     return "refused";
   }
 }

@@ -82,7 +82,7 @@ def test_an_unfinished_run_gives_results_and_a_warning(scene, tmp_path):
 
 
 def test_comparison_judges_variants(scene, tmp_path):
-    variants = {"as it is": {}, "fast": {"step.1.velocity": "0.15 m/s"}}
+    variants = {"as it is": {}, "fast": {"step.1.velocity": "0.4 m/s"}}
     comparison = scene.compare(variants, tmp_path / "out")
     masses = comparison.measure("filled_mass_kg")
     assert comparison.variants == list(variants) == list(masses)

@@ -17,7 +17,7 @@ def tutorial(monkeypatch, tmp_path):
     specification = importlib.util.spec_from_file_location("shoe_speed", TUTORIAL)
     module = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(module)
-    monkeypatch.setattr(module, "SPEEDS", (0.1, 0.3))
+    monkeypatch.setattr(module, "SPEEDS", (0.2, 0.4))
     monkeypatch.setattr(sys, "argv", [str(TUTORIAL), str(tmp_path)])
     return module
 
@@ -26,7 +26,7 @@ def test_the_tutorial_draws_its_chart_and_computes_once(tutorial, scene, tmp_pat
     scene.write(tmp_path / "die")
     tutorial.main()
     printed = capsys.readouterr().out
-    assert "\n0.10 m/s  " in printed and "\n0.30 m/s  " in printed
+    assert "\n0.20 m/s  " in printed and "\n0.40 m/s  " in printed
     chart, runs = tmp_path / "shoe_speed.png", sorted(tmp_path.glob("*_m_s/results.h5"))
     assert chart.stat().st_size > 0 and len(runs) == 2
     written = [run.stat().st_mtime_ns for run in runs]

@@ -1,4 +1,4 @@
-// What a step would cost on more threads than there are here, from counts of one on a few.
+// Predicts the cost of a step on more threads than this machine has, from a measurement on a few.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// N threads on one bed against N programs of one thread each: what threads lose to serial parts, to waiting
-// and to memory that they share.
+// N threads on one bed compared with N programs of one thread each: what threads lose to serial parts,
+// waiting and shared memory.
 #pragma once
 
 #include <string>

@@ -38,7 +38,7 @@ class TimedSteps : public process::StepEngine {
   std::string description() const override { return "timed steps"; }
   int ranks() const override { return 1; }
 
-  /// Set once the figures stand.
+  /// True once the timing is complete.
   const std::atomic<bool>& done() const { return done_; }
   const nlohmann::ordered_json& figures() const { return figures_; }
 

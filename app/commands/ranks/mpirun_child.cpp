@@ -37,13 +37,13 @@ constexpr int kCannotStart = 127;
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(error, STDERR_FILENO);
-  // A host that does not answer, or asks for a password, is an error and no reason to wait.
+  // A host that does not answer, or asks for a password, is an error: do not wait for it.
   ::setenv("OMPI_MCA_plm_rsh_args", "-o BatchMode=yes -o ConnectTimeout=20", 0);
   ::execvp(words.front(), words.data());
   ::_exit(kCannotStart);
 }
 
-/// The child, and what it says.
+/// The child process and its output.
 class Mpirun {
  public:
   explicit Mpirun(std::vector<std::string> words) {
@@ -51,7 +51,7 @@ class Mpirun {
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
     int ends[2];
-    if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe to mpirun");
+    if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("cannot create a pipe to mpirun");
     const pid_t parent = ::getpid();
     process_ = ::fork();
     if (process_ == 0) become_mpirun(pointers, ends[1], parent);
@@ -64,7 +64,7 @@ class Mpirun {
   Mpirun(const Mpirun&) = delete;
   Mpirun& operator=(const Mpirun&) = delete;
 
-  /// Passes on what is said until mpirun has ended. Returns what waitpid() says of it.
+  /// Passes on the output until mpirun has ended. Returns its status, as of waitpid().
   int watch(const std::atomic<bool>& stop) {
     constexpr int kWait = 200;  // ms; a signal may come just before waiting
     int status = 0;
@@ -118,15 +118,15 @@ class Mpirun {
   pid_t process_ = -1;
   int pipe_ = -1;
   bool open_ = true;
-  std::string rest_;  ///< of a line that is not whole yet
+  std::string rest_;  ///< start of a line that is not complete yet
   MpirunOutput talk_;
   std::optional<std::chrono::steady_clock::time_point> told_at_;
   bool told_ranks_ = false;
 };
 
 std::string ending_of(int status) {
-  return WIFSIGNALED(status) ? "mpirun was ended by signal " + std::to_string(WTERMSIG(status))
-                             : "mpirun ended with code " + std::to_string(WEXITSTATUS(status));
+  return WIFSIGNALED(status) ? "mpirun was killed by signal " + std::to_string(WTERMSIG(status))
+                             : "mpirun ended with exit code " + std::to_string(WEXITSTATUS(status));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ std::filesystem::path rank_program() {
   return beside;
 }
 
-/// The words that chose `command`, but for those of add_ranks().
+/// The arguments of `command`, except the options of add_ranks().
 std::vector<std::string> words_of(const CLI::App& command) {
   std::vector<std::string> words = {command.get_name()}, named;
   for (const CLI::Option* option : command.get_options()) {
@@ -69,14 +69,14 @@ void add_ranks(CLI::App& command, RankArguments& arguments) {
   arguments.command = &command;
   auto* ranks =
       command
-          .add_option("--ranks", arguments.ranks,
-                      "compute on so many ranks with LAMMPS and MPI, on this machine or those of --hostfile")
+          .add_option(
+              "--ranks", arguments.ranks,
+              "compute on this many ranks with LAMMPS and MPI, on this machine or those of --hostfile")
           ->check(whole_number(1, 1000000));
-  command.add_option("--hostfile", arguments.hostfile, "with --ranks: Open MPI's file of hosts")
-      ->needs(ranks);
+  command.add_option("--hostfile", arguments.hostfile, "with --ranks: hostfile of Open MPI")->needs(ranks);
   command
       .add_option("--slurm", arguments.slurm,
-                  "with --ranks: write a batch script for Slurm to this file in place of running")
+                  "with --ranks: write a batch script for Slurm to this file instead of running")
       ->needs(ranks);
 }
 

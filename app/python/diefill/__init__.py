@@ -8,7 +8,7 @@
     results.powder.position              # (n, 3) array, m, no copy
 
 Scenes are run by the program `diefill` in a process of its own, so that Ctrl-C leaves a checkpoint and a failed run
-leaves Python alone. Results are read by this package itself. All quantities are in SI units.
+does not end Python. Results are read by this package itself. All quantities are in SI units.
 """
 from ._results import (Cavity, ContactStress, Field, Instant, Powder, Probe, Profile, Results, Section,
                        SolidFraction, Stage, Summary, Tool, ToolCheck, figure_meaning)

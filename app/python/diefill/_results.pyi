@@ -175,7 +175,7 @@ class Probe:
 class Stage:
     """One stage of the schedule as it happened."""
     tool: str
-    """that moved; empty: none did"""
+    """tool that moved; empty: none"""
     words: str
     """for people, such as: 1 passage at 0.2 m/s"""
     start: float
@@ -189,7 +189,7 @@ class ToolCheck:
     file: str
     """its CAD file, without folders"""
     findings: List[str]
-    """about the mesh; empty: nothing to remark upon"""
+    """about the mesh; empty: none"""
     volume: float
     """m^3, enclosed by the mesh"""
     mean_deviation: float

@@ -1,4 +1,4 @@
-"""Ways of filling side by side, as `diefill compare` judges them."""
+"""Results of `diefill compare`: filling strategies and how they differ."""
 import json
 import os
 from pathlib import Path

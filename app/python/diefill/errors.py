@@ -1,4 +1,4 @@
-"""What goes wrong, each with the one line that the program says."""
+"""Exceptions, each with the line that the program prints as its error."""
 from typing import Dict, Type
 
 
@@ -11,7 +11,7 @@ class BadInput(Error, ValueError):
 
 
 class OutOfRange(Error):
-    """The run left the range in which the method is valid; its last good checkpoint stands (exit code 3)."""
+    """The run left the range in which the method is valid; its last good checkpoint is kept (exit code 3)."""
 
 
 class Failed(Error, RuntimeError):
@@ -19,7 +19,7 @@ class Failed(Error, RuntimeError):
 
 
 class UnfinishedWarning(UserWarning):
-    """numerics.max_time ended before the scene: results cover the simulated time only (exit code 4)."""
+    """numerics.max_time was reached before the scene ended: results cover the simulated time only (exit code 4)."""
 
 
 UNFINISHED = 4
@@ -27,5 +27,5 @@ _OF_CODE: Dict[int, Type[Error]] = {2: BadInput, 3: OutOfRange}
 
 
 def error_of(code: int, line: str) -> Error:
-    """The exception for an exit code of the program and the line that it said."""
+    """The exception for an exit code of the program and the line that it printed."""
     return _OF_CODE.get(code, Failed)(line)

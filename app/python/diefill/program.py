@@ -1,4 +1,4 @@
-"""Calls of the program `diefill`: found, run with progress, stopped, and its errors as exceptions."""
+"""Finds the program `diefill`, runs it with progress, stops it, and raises its errors as exceptions."""
 import os
 import re
 import shutil
@@ -12,7 +12,8 @@ from typing import Callable, List, Optional, Sequence
 from .errors import UNFINISHED, Failed, UnfinishedWarning, error_of
 
 Callback = Callable[[float, str], object]
-"""Hears of progress twice a second: share done (0 to 1), and what is being done. What it raises stops the work."""
+"""Called about twice a second with the share done (0 to 1) and the current task. An exception that it raises stops the
+work."""
 
 _PROGRESS = re.compile(r"\s*(\d+) %  (.*)$")
 _SECONDS_BETWEEN_CALLS = "0.5"

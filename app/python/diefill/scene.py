@@ -1,4 +1,4 @@
-"""Scenes: changed, checked, estimated, planned, run and compared."""
+"""Scenes: to change, check, estimate, plan, run and compare."""
 import json
 import os
 import tempfile
@@ -12,8 +12,8 @@ from .program import Callback, call
 from .reading import read
 
 Value = Union[str, bool, int, float, Sequence[Any], Mapping[str, Any]]
-"""Of a key: quantities are texts with a unit, such as "0.1 m/s". Numbers and arrays of NumPy are taken as well; a
-mapping is a table, such as one step."""
+"""Value of a key. Quantities are strings with a unit, such as "0.1 m/s". NumPy numbers and arrays are accepted as
+well; a mapping is a table, such as one step."""
 Changes = Mapping[str, Value]
 """Value by key, such as {"step.1.velocity": "0.1 m/s", 'tool."core rod".position': ["0 mm", "0 mm", "1 mm"]}."""
 PathLike = Union[str, "os.PathLike[str]"]
@@ -21,7 +21,7 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 def _toml(value: Any) -> str:
     """The value as TOML writes it. Raises TypeError where TOML has no such type."""
-    if hasattr(value, "tolist"):  # of NumPy: its numbers are no int, bool or, since NumPy 2, not written as one
+    if hasattr(value, "tolist"):  # NumPy numbers are neither int nor bool, and NumPy 2 prints them in another way
         value = value.tolist()
     if isinstance(value, bool):
         return "true" if value else "false"
@@ -42,8 +42,8 @@ def _line(key: str, value: Value) -> str:
     try:
         return f"{key} = {_toml(value)}"
     except TypeError as error:
-        raise BadInput(f"{key}: {error}; allowed are texts, numbers, true and false, lists and mappings of "
-                       "them") from None
+        raise BadInput(f"{key}: {error}; allowed: strings, numbers, True and False, and lists and mappings of "
+                       "these") from None
 
 
 def _lines(changes: Changes) -> List[str]:
@@ -51,15 +51,15 @@ def _lines(changes: Changes) -> List[str]:
 
 
 def _write_whole(file: Path, text: str) -> None:
-    """Writes the file whole or not at all."""
+    """Writes the complete file or nothing."""
     temporary = file.with_name(f"{file.name}.{os.getpid()}.tmp")
     temporary.write_text(text, encoding="utf-8")
     os.replace(temporary, file)
 
 
 class Scene:
-    """A scene file, with changes that leave the file as it is. It is read and checked whenever it is used; BadInput
-    then names file, line and key."""
+    """A scene file and changes to it; the file itself stays as it is. It is read and checked at each use; BadInput then
+    names file, line and key."""
 
     def __init__(self, file: PathLike, changes: Optional[Changes] = None):
         self.file = Path(file)
@@ -99,7 +99,7 @@ class Scene:
             setting: Optional[str] = None, pictures: bool = False,
             callback: Optional[Callback] = None) -> _results.Results:
         """Runs the scene; results go to the folder `out`, earlier ones in it to previous-1 and so on. `threads`: of
-        the run, default all cores. `resume`: goes on from a checkpoint. `setting`: "quick", "working" or "reference".
+        the run, default all cores. `resume`: continues from a checkpoint. `setting`: "quick", "working" or "reference".
         `pictures`: draws maps as well. `callback`: see Callback. Ctrl-C leaves a checkpoint. Raises OutOfRange where
         the run leaves the method's range; warns with UnfinishedWarning where numerics.max_time ended it."""
         arguments: List[object] = ["run", *self._arguments(), "--out", out]
@@ -112,9 +112,9 @@ class Scene:
 
     def compare(self, variants: Mapping[str, Changes], out: PathLike, *, seeds: int = 1, jobs: int = 1,
                 callback: Optional[Callback] = None) -> Comparison:
-        """Runs the scene once for each of `variants` (name: changed keys) and seed, and compares them with the first:
-        what differs by more than the scatter over seeds. Goes on where it was stopped. The scene with its variants is
-        `out`.toml."""
+        """Runs the scene once for each of `variants` (name: changed keys) and seed, and reports what differs from the
+        first variant by more than the scatter over seeds. Continues where it was stopped. Writes the scene with its
+        variants to `out`.toml."""
         tables = [f"\n[[variant]]\nname = {_toml(name)}\n" + "\n".join(_lines(changes)) + "\n"
                   for name, changes in variants.items()]
         with tempfile.TemporaryDirectory() as folder:
@@ -126,8 +126,8 @@ class Scene:
         return read_comparison(out)
 
     def write(self, folder: PathLike) -> Path:
-        """Writes the scene with its changes as `folder`/fill.toml, which names its CAD files where they lie. Raises
-        BadInput where the folder exists."""
+        """Writes the scene with its changes to `folder`/fill.toml, which refers to the CAD files where they are now.
+        Raises BadInput if the folder exists."""
         call(["new", folder, "--from", *self._arguments()])
         return Path(folder) / "fill.toml"
 

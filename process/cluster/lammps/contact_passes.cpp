@@ -1,5 +1,5 @@
-// Which pass a model takes: the laws are chosen as the built-in engine's loops choose them, so that pairs
-// remember the same numbers.
+// Selects the contact pass for a model: laws are chosen as in the built-in engine's loops, so that pairs
+// store the same contact history.
 #include "engine/simulation/simulation_parts.h"
 #include "process/cluster/lammps/grain_pass.h"
 #include "process/cluster/lammps/wall_pass.h"
@@ -11,8 +11,8 @@ namespace {
 using engine::LeverArm;
 namespace laws = engine::laws;
 
-/// Calls use(law) with the type of Bierwisch's law. Its terms are all there, those that are not asked for as
-/// zeros: fewer types to compile than the engine's own loops, the same forces.
+/// Calls use(law) with the type of Bierwisch's law. All its terms are included, with zero coefficients where
+/// the model does not use them: fewer types to compile than in the engine's own loops, the same forces.
 template <class Use>
 auto with_bierwisch(engine::SpringLimit limit, const Use& use) {
   using laws::ContactLaw, laws::HertzianCohesion, laws::TangentialSpring;
@@ -26,7 +26,7 @@ std::unique_ptr<ContactPass> pass_over(Pairs pairs, const PowderModel& model) {
   return std::make_unique<GrainPass<Pairs, kArm, kClumps>>(std::move(pairs), model);
 }
 
-/// Bierwisch's law of each body; nothing where any is another.
+/// Bierwisch's law for each body; empty if any body has a different law.
 std::vector<laws::BierwischLaw> bierwisch_at_walls(const PowderModel& model) {
   std::vector<laws::BierwischLaw> found;
   for (const auto& body : model.bodies) {

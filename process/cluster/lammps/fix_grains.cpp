@@ -6,8 +6,8 @@ namespace diefill::process::cluster {
 
 namespace {
 
-/// Numbers of a grain that travel besides its memory: velocity, orientation, spin, force, torque, and how
-/// many its memory has.
+/// Numbers sent with a grain besides its contact history: velocity, orientation, spin, force, torque, and the
+/// length of the history.
 constexpr int kState = 17;
 
 double* put(const Eigen::Vector3d& vector, double* to) {
@@ -41,7 +41,7 @@ FixGrains::~FixGrains() {
 
 FixGrains& FixGrains::of(LAMMPS_NS::LAMMPS& lammps) {
   const int place = lammps.modify->find_fix(kId);
-  if (place < 0) throw std::logic_error("LAMMPS has no fix of grains");
+  if (place < 0) throw std::logic_error("this LAMMPS instance has no fix diefill/grains");
   return static_cast<FixGrains&>(*lammps.modify->fix[place]);
 }
 
@@ -76,7 +76,7 @@ void FixGrains::pre_exchange() {
   maxexchange = kState + static_cast<int>(longest);
 }
 
-/// Takes over which atoms there are now, and where.
+/// Updates which atoms this rank has now, and where.
 void FixGrains::update_atom_views() {
   RankGrains& rank = steps_->grains();
   rank.own = static_cast<std::size_t>(atom->nlocal);

@@ -1,5 +1,5 @@
-// The grains of a rank as a fix of LAMMPS: it moves them in place of LAMMPS' integrators, takes their state
-// and memory along when they change ranks, and determines when near pairs must be searched again.
+// The grains of a rank as a fix of LAMMPS: it moves them in place of LAMMPS' integrators, sends their state
+// and contact history along when they change ranks, and determines when near pairs must be searched again.
 #pragma once
 
 #include "process/cluster/lammps/lammps_api.h"

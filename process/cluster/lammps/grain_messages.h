@@ -34,8 +34,8 @@ inline void take(Packet& packet, engine::NamedContacts& contacts) {
   packet.take(contacts.history);
 }
 
-/// What the pairs of `contacts` remember, in `width` numbers each. The built-in engine keeps none where there
-/// is no friction, the ranks then a spring that carries nothing.
+/// Contact history of the pairs in `contacts`, `width` numbers each. Without friction the built-in engine
+/// stores none, and the ranks store a spring without force.
 inline std::vector<double> with_width(const engine::NamedContacts& contacts, std::size_t width) {
   if (contacts.history.size() == width * contacts.pair.size()) return contacts.history;
   return std::vector<double>(width * contacts.pair.size(), 0.0);

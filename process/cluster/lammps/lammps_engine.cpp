@@ -33,8 +33,8 @@ Task task_of(Task given, const RankEngine& ranks) {
   return {static_cast<Order>(numbers[0]), numbers[1]};
 }
 
-/// Does `work`, of which all ranks have their part. Where it fails on this one, the others would wait for
-/// ever in the midst of theirs: the program ends, in one line.
+/// Does `work`, in which all ranks take part. If it fails on this rank, the others would wait for it forever:
+/// the program ends, with a one-line message.
 template <class Work>
 auto with_all(const RankEngine& ranks, const Work& work) {
   try {
@@ -62,7 +62,8 @@ void LammpsEngine::step(engine::Simulation& simulation, std::uint64_t sync_step)
 
 void LammpsEngine::compute(engine::Simulation& simulation, std::uint64_t steps) {
   if (simulation.searches() != searches_) {
-    if (!contacts_synced_) throw std::logic_error("a simulation was changed whose contacts were not shown");
+    if (!contacts_synced_)
+      throw std::logic_error("the simulation was changed before its contacts were synchronised");
     task_of({Order::load, 0}, ranks_);
     with_all(ranks_, [&] {
       ranks_.load(&simulation);

@@ -1,4 +1,4 @@
-// What a grain remembers of a touching pair while it may move to another rank.
+// Contact history of a touching pair, stored with a grain while the grain may move to another rank.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,9 @@
 
 namespace diefill::process::cluster {
 
-/// A record is a row of numbers: how many follow the head, partner, own sphere, other sphere, then what the
-/// pair remembers as seen from the grain that keeps it. The partner is a grain's tag, or at walls the body
-/// counted from -1 down; the other sphere is then the wall sphere's number in the simulation.
+/// A record is a row of numbers: how many follow the head, partner, own sphere, other sphere, then the
+/// history of the pair as seen from the grain that stores it. The partner is a grain's tag, or at walls the
+/// body counted from -1 down; the other sphere is then the wall sphere's number in the simulation.
 struct MemoryRecord {
   static constexpr std::size_t kHead = 4;
 
@@ -20,7 +20,7 @@ struct MemoryRecord {
     for (std::size_t k = 0; k < width; ++k) memory.push_back(sign ? sign[k] * history[k] : history[k]);
   }
 
-  /// What the pair remembers, or nullptr where it did not touch.
+  /// The history of the pair, or nullptr where it did not touch.
   static const double* find(const std::vector<double>& memory, double partner, double own, double other) {
     for (std::size_t at = 0; at < memory.size(); at += kHead + static_cast<std::size_t>(memory[at]))
       if (memory[at + 1] == partner && memory[at + 2] == own && memory[at + 3] == other)

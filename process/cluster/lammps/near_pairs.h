@@ -1,4 +1,4 @@
-// Near pairs of spheres on a rank, with what touching ones remember.
+// Near pairs of spheres on a rank, with the contact history of touching ones.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ inline std::uint32_t part_of(const NearPair& pair) {
 
 /// Pairs that may come to touch before the next search.
 struct NearPairs {
-  std::size_t width = 0;  ///< numbers that a touching pair remembers
+  std::size_t width = 0;  ///< length of a touching pair's history
   std::vector<NearPair> pair;
   std::vector<std::uint8_t> touching;
   std::vector<double> history;
@@ -37,7 +37,7 @@ struct NearPairs {
   }
   double* history_of(std::size_t p) { return history.data() + p * width; }
   const double* history_of(std::size_t p) const { return history.data() + p * width; }
-  /// Notes whether p touches now; a new contact begins without memory.
+  /// Records whether p touches now; a new contact starts without history.
   void note(std::size_t p, bool touches) {
     if (touches && !touching[p]) std::fill_n(history_of(p), width, 0.0);
     touching[p] = touches;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kRelease = 20210929;  // virtual functions are called by their place in this release
 
-/// Passes LAMMPS' errors on as lines of the program; what else it says is dropped. LAMMPS ends the process
+/// Passes LAMMPS' errors on as lines of the program; its other output is dropped. LAMMPS ends the process
 /// after an error.
 ssize_t pass_errors_on(void*, const char* text, std::size_t size) {
   const std::string words(text, size);

@@ -1,5 +1,5 @@
-// LAMMPS on one rank: all ranks make the same calls at the same time. What only rank 0 knows goes in and what
-// only it asks for comes out there; on other ranks such arguments mean nothing.
+// LAMMPS on one rank: all ranks make the same calls at the same time. Arguments and results marked "on rank
+// 0" are used there only; on other ranks they are ignored.
 #pragma once
 
 #include <memory>

@@ -27,8 +27,8 @@ struct RankGrains {
   std::vector<engine::Vector3> sphere;               ///< m, centres of the spheres of all
   std::vector<engine::ContactSum> sums;              ///< contacts' forces on own grains
   std::vector<engine::BodyMotion> body_motion;       ///< at the present time
-  /// What own grains remember of touching pairs from a search to the next, records one after the other
-  /// (memory_record.h). Travels with the grain.
+  /// Contact history of own grains from one search to the next, one record after the other (memory_record.h).
+  /// Sent with the grain.
   std::vector<std::vector<double>> memory;
 
   engine::Vector3 centre(std::size_t grain) const { return vector_at(place, grain); }
@@ -76,15 +76,16 @@ struct NearGrains {
 class ContactPass {
  public:
   virtual ~ContactPass() = default;
-  /// Finds near pairs; those that touched get back what the grains' memory has.
+  /// Finds near pairs; those that touched get their history back from the grains' memory.
   virtual void search(const RankGrains& grains, const NearGrains& near) = 0;
   /// Adds the forces of a step to the sums of `grains`.
   virtual void add_forces(RankGrains& grains, ContactFigures& figures) = 0;
-  /// Appends what touching pairs remember to the memory of own grains.
+  /// Appends the history of touching pairs to the memory of own grains.
   virtual void remember(RankGrains& grains) const = 0;
   /// Appends the touching pairs that this rank answers for, so that each is named once over all ranks.
   virtual void name_contacts(const RankGrains& grains, engine::NamedContacts& named) const = 0;
-  /// Numbers that a touching pair remembers, and the factors when it is seen from its other side.
+  /// Length of a touching pair's history, and the factors that turn it into the history seen from the other
+  /// side.
   virtual std::vector<double> history_signs() const = 0;
   /// Whether rolling loads of sums count.
   virtual bool rolls() const = 0;

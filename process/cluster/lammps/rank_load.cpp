@@ -1,4 +1,5 @@
-// How a rank begins: LAMMPS gets a box, one atom a grain, and what each grain brings along.
+// Loads a simulation on a rank: LAMMPS' box, one atom for each grain, and each grain's state and contact
+// history.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <unordered_map>
@@ -141,7 +142,7 @@ void RankEngine::put_states(const engine::Grains& grains, RankSteps& steps) {
   }
 }
 
-/// Gives own grains what they remember of the contacts that they were in.
+/// Gives own grains the history of their contacts.
 void RankEngine::put_memory(const engine::NamedContacts& of_grains, const engine::NamedContacts& of_walls,
                             RankSteps& steps) {
   const LAMMPS_NS::Atom& atom = *lammps_->atom;

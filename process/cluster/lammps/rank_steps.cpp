@@ -21,7 +21,8 @@ void RankSteps::plan(std::vector<engine::BodyMotion> motions) {
 }
 
 bool RankSteps::advance() {
-  // Ways of many steps are summed up, and places rounded: a little more than both together.
+  // Displacements are summed over many steps and positions are rounded: the factor exceeds both errors
+  // together.
   constexpr double kRounding = 1 + 1e-6;
   const std::size_t bodies = model_.bodies.size();
   std::copy_n(planned_.begin() + static_cast<std::ptrdiff_t>(step_ * bodies), bodies,

@@ -24,8 +24,8 @@ class RankSteps {
   void plan(std::vector<engine::BodyMotion> motions);
   /// Moves own grains to the end of the step; true where the list of near pairs is too old for what follows.
   bool advance();
-  /// Takes down what touching pairs remember, in the memory of own grains, for they may leave. Does nothing
-  /// where that has been done.
+  /// Stores the history of touching pairs with own grains, which may move to another rank. Does nothing where
+  /// that has been done.
   void remember();
   /// Finds near pairs; `drift` (m/s): the powder's mean velocity, over all ranks.
   void search(const NearGrains& near, const Eigen::Vector3d& drift);
@@ -64,7 +64,7 @@ class RankSteps {
   std::vector<double> clearance_;  ///< m, of each body from own grains
   Eigen::Vector3d drift_ = Eigen::Vector3d::Zero();
   double since_search_ = 0;  ///< s
-  double remaining_ = 0;     ///< m, that any own sphere may surely still move
+  double remaining_ = 0;     ///< m, that any own sphere can still move before a search is needed
 };
 
 }  // namespace diefill::process::cluster

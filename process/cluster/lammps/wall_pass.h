@@ -28,7 +28,8 @@ class WallPass final : public ContactPass {
         for (std::uint32_t s = 0; s < grains.spheres_of(grain); ++s) {
           const std::uint32_t sphere = static_cast<std::uint32_t>(grain * model.spheres()) + s;
           const std::uint32_t own_class = grains.class_of(grain, s);
-          // Flat walls find by height, of which a plane of symmetry sees twice.
+          // Flat walls search by height; the distance to the image behind a symmetry plane is twice that
+          // height.
           const double reach = (flat ? radius_[own_class] : reach_of(model, body, own_class)) + model.skin +
                                law(body, own_class).range();
           found_.clear();

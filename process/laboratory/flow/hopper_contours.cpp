@@ -27,7 +27,7 @@ struct Edge {
 };
 using Neighbours = std::map<Edge, std::vector<Edge>>;
 
-/// Nodes of a field and the level that its lines are sought for.
+/// Nodes of a field and the level of the lines to find.
 struct Sought {
   const continuum::HopperGrid& grid;
   const std::vector<double>& field;
@@ -62,7 +62,7 @@ void join_across_cell(const Sought& sought, int column, int row, Neighbours& nei
   }
 }
 
-/// Takes the line that goes on from `at` out of `neighbours`.
+/// Removes the line that continues from `at` from `neighbours`.
 std::vector<Edge> taken_from(Edge at, Neighbours& neighbours) {
   std::vector<Edge> line = {at};
   for (auto place = neighbours.find(at); !place->second.empty(); place = neighbours.find(at)) {

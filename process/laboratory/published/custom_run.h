@@ -9,7 +9,7 @@
 
 namespace diefill::process::laboratory {
 
-/// Follows a run at work.
+/// Monitors a run in progress.
 class CustomRunWatch {
  public:
   virtual ~CustomRunWatch() = default;

@@ -124,8 +124,8 @@ class CustomRunQueue {
     });
     if (stopped_by_user())
       throw Interrupted(
-          "stopped; finished runs and what the others go on from are kept: run the same command again to "
-          "continue");
+          "stopped; finished runs and the checkpoints of the others are kept: run the same command again "
+          "to continue");
   }
 
  private:
@@ -135,7 +135,7 @@ class CustomRunQueue {
     double share = 0, core_seconds = 0;
   };
 
-  /// One of them at work.
+  /// One of them in progress.
   class Watch final : public CustomRunWatch {
    public:
     Watch(CustomRunQueue& all, Waiting& one)

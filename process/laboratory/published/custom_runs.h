@@ -1,6 +1,6 @@
-// Makes the custom runs of an experiment, several at a time, and stores each in
-// `<run>/seed-<k>/` of the experiment's folder: result.json, whole or not at all, once it is done; until then
-// checkpoint.bin. A run is made again where its settings are others than those kept.
+// Makes the custom runs of an experiment, several at a time, and stores each in `<run>/seed-<k>/` of the
+// experiment's folder: result.json, whole or not at all, once it is done; until then checkpoint.bin. A run is
+// repeated where its settings differ from those stored.
 #pragma once
 
 #include <stdexcept>
@@ -10,7 +10,7 @@
 
 namespace diefill::process::laboratory {
 
-/// A run has been stopped; what it goes on from is kept.
+/// A run has been stopped; its checkpoint is kept.
 struct CustomRunStopped : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -23,7 +23,7 @@ inline constexpr double kCustomRunCheckpoint = 60;
 /// results::ResultError where results cannot be written.
 void make_custom_runs(const std::vector<CustomRun>& runs, const LabJobs& jobs);
 
-/// A run as it is kept.
+/// A run as it is stored.
 struct StoredCustomRun {
   bool finished = false;
   std::string result;       ///< of a finished one

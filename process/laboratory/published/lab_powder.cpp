@@ -40,7 +40,7 @@ std::string lines_of(const toml::table& table, const std::string& path) {
 }
 
 /// What puts the powder of a file into a scene: of a powder file by its name; of a scene its [powder],
-/// [contact] and [walls] in place of all others, but for the grain size.
+/// [contact] and [walls] in place of all others, but for the grain size, and under what an experiment varies.
 SceneChanges powder_changes(const std::filesystem::path& file) {
   toml::table document = parse_scene_text(load_scene_text(file), file);
   SceneChanges changes;
@@ -54,7 +54,7 @@ SceneChanges powder_changes(const std::filesystem::path& file) {
   if (toml::table* powder = document["powder"].as_table()) powder->erase("grain_diameter");
   for (const char* name : kTables) {
     changes.without.emplace_back(name);
-    if (const toml::table* table = document[name].as_table()) changes.set += lines_of(*table, name);
+    if (const toml::table* table = document[name].as_table()) changes.under += lines_of(*table, name);
   }
   return changes;
 }

@@ -140,7 +140,7 @@ void measure(const LabQuantity& quantity, const FinishedRuns& runs, results::Lab
     if (std::isfinite(value)) row.values.push_back(value);
 }
 
-/// A series that a legend would name in vain.
+/// A series without values, which would only take up space in the legend.
 bool has_no_value(const results::ExperimentSeries& series) {
   return std::none_of(series.y.begin(), series.y.end(), [](double value) { return std::isfinite(value); });
 }

@@ -1,5 +1,5 @@
-// Runs an experiment's scenes as jobs, goes on where it was stopped, and compares what they give with
-// the published figures.
+// Runs an experiment's scenes as jobs, continues where it was stopped, and compares the results with the
+// published figures.
 #pragma once
 
 #include "process/compare/job_folder.h"

@@ -26,8 +26,8 @@ laws::PairProperties pair() {
   return {sphere.sphere_radius, sphere.sphere_radius, sphere.mass, sphere.mass};
 }
 
-/// J, what the bridge takes from two grains that meet and part: they get nothing on the way in, where there
-/// is no bridge yet, and pay for it all on the way out.
+/// J, energy that the bridge takes from two grains that meet and part: they gain nothing on approach, when
+/// there is no bridge yet, and do all the work against it on separation.
 double work_of_bridge(double smallest_gap) {
   const laws::CapillaryBridge bridge(bridge_of(smallest_gap), pair());
   const double formed = 1;

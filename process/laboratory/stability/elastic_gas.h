@@ -17,8 +17,8 @@ struct ElasticGas {
 ElasticGas elastic_gas(const engine::GrainShape& shape, const engine::ContactParameters& contact, int across,
                        double spacing, double speed);
 
-/// Energy that came from nowhere in `duration` (s) with steps of `time_step` (s), over the kinetic energy at
-/// the start; infinite where the run was lost or gained more than all it had.
+/// Spurious energy gain in `duration` (s) with steps of `time_step` (s), over the kinetic energy at the
+/// start; infinite where the run was lost or gained more than all it had.
 double energy_growth(const ElasticGas& gas, double time_step, double duration);
 
 }  // namespace diefill::process::laboratory

@@ -25,7 +25,7 @@ double temperature_error(ShearedSlurry fluid, const ExperimentOptions& options) 
   fluid.settling = static_cast<int>(10 / fluid.time_step);
   fluid.sampled = static_cast<int>(time / fluid.time_step);
   try {
-    constexpr double kBroken = 1;  // a fluid this hot has lost its pairs
+    constexpr double kBroken = 1;  // above this error the fluid has broken down
     const double error = std::abs(measure(fluid, 1).temperature - 1);
     return error < kBroken ? error : std::numeric_limits<double>::infinity();
   } catch (const engine::OutOfRange&) {

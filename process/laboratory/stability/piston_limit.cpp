@@ -78,7 +78,7 @@ class Press {
     }
     return load;
   }
-  /// Goes on at `rate` (m/s) downwards.
+  /// Continues at `rate` (m/s) downwards.
   void set_rate(double rate) {
     state_.coordinate = state_.coordinate_at(now());
     state_.since = now();
@@ -106,7 +106,7 @@ double stiffness_at(const PressedBed& bed, double target) {
 }
 
 /// Scatter (N) of the force about its mean over the last quarter of `duration` (s), pressed to `target` (N)
-/// with `gain` (as a scene gives it); infinite where grains were shot away.
+/// with `gain` (as a scene gives it); infinite where grains were ejected.
 double scatter(const PressedBed& bed, double target, double gain, double duration) {
   ForceControl control;
   control.axis.direction = -Eigen::Vector3d::UnitZ();

@@ -44,7 +44,7 @@ void find_effect_of_step(const ExperimentOptions& options, results::ExperimentRe
       try {
         fraction = settle_bed(spec).bulk_fraction;
       } catch (const engine::OutOfRange&) {
-        // Stopped by the watch on the method's range: that is a finding.
+        // Stopped by the validity check: a result, not an error.
       } catch (const SceneError&) {
         // Refused in advance: above the critical step.
       }

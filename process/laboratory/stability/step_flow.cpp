@@ -133,8 +133,8 @@ FlowFigures flow_out(const FlowCase& flow) {
   return figures;
 }
 
-/// As flow_out(), with the processor time; no figures where the step was refused or the watch on the method's
-/// range stopped the run.
+/// As flow_out(), with the processor time; no figures where the step was refused or the validity check
+/// stopped the run.
 FlowFigures figures_of(const FlowCase& flow) {
   const std::clock_t begin = std::clock();
   try {
@@ -142,7 +142,7 @@ FlowFigures figures_of(const FlowCase& flow) {
     figures.cpu_seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     return figures;
   } catch (const engine::OutOfRange&) {
-    // Stopped: that is a finding.
+    // Stopped by the validity check: a result, not an error.
   } catch (const SceneError&) {
     // Refused in advance: above the critical step.
   }

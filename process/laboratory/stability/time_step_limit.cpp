@@ -1,5 +1,5 @@
-// How long a time step may be: energy that appears from nowhere, against the duration of a collision, the
-// Rayleigh time and the fastest oscillation of the contact network.
+// How long a time step may be: spurious energy gain against the duration of a collision, the Rayleigh time
+// and the fastest oscillation of the contact network.
 #include <algorithm>
 #include <cmath>
 #include <limits>

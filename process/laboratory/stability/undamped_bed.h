@@ -16,8 +16,8 @@ struct UndampedBed {
 /// `friction` contacts hold tangential springs of kappa_t = 1e6 Pa R.
 UndampedBed undamped_bed(const engine::GrainShape& shape, double friction, int across, int layers);
 
-/// Energy that came from nowhere in `steps` steps of `time_step` (s), without damping and after every grain
-/// got random 1 mm/s, over the elastic and kinetic energy at the start.
+/// Spurious energy gain in `steps` steps of `time_step` (s), without damping and after every grain got random
+/// 1 mm/s, over the elastic and kinetic energy at the start.
 double bed_energy_growth(const UndampedBed& pile, double time_step, long steps);
 
 }  // namespace diefill::process::laboratory

@@ -98,7 +98,7 @@ double speed_that_passes(const Target& target) {
   return largest_that_holds(0.01, 300, 0.02, [&](double speed) { return fly_at(target, speed).held; });
 }
 
-/// A speed that is nothing stands for no resistance at all.
+/// A speed at the lower end of the search means no resistance: no point is drawn.
 double drawn(double speed) {
   return speed > 0.0101 ? speed : std::nan("");
 }

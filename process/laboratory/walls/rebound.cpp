@@ -1,5 +1,5 @@
-// How a sphere comes off a wall of spheres: speed left by damping, and the direction, against the surface
-// itself.
+// How a sphere rebounds from a wall of spheres: the speed left after damping and the direction, compared with
+// the surface itself.
 #include <cmath>
 #include <numbers>
 

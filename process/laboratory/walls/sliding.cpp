@@ -1,4 +1,5 @@
-// The friction that a grain feels that slides over wall spheres: its bumps take speed besides Coulomb's law.
+// Effective friction of a grain that slides over wall spheres: bumps slow it down in addition to Coulomb
+// friction.
 #include <cmath>
 #include <numbers>
 

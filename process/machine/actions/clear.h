@@ -1,5 +1,5 @@
-// Removes powder: all that is not in the die, as what is left in the shoe and on the plate costs time and has
-// no effect any more, or all above a height, or but the lowest part, which cuts a bed flat.
+// Removes powder: all outside the die, because powder left in the shoe and on the plate costs time and has no
+// effect any more; or all above a height; or all but the lowest part, which cuts a bed flat.
 #pragma once
 
 #include <memory>

@@ -69,7 +69,8 @@ std::shared_ptr<const Step> Passage::prepared(const MachineContext& context) con
 }
 
 const StraightMove& Passage::crossing() const {
-  if (!crossing_) throw std::logic_error("a passage is asked for its motion before it was prepared");
+  if (!crossing_)
+    throw std::logic_error("the motion of a passage was requested before the step was prepared");
   return *crossing_;
 }
 

@@ -85,7 +85,7 @@ double value_in(const CsvFile& file, std::size_t cell, const Column& column) {
   return value;
 }
 
-/// Refuses a way that no machine makes in the time.
+/// Refuses motions faster than any machine.
 void refuse_too_fast(const MotionTable& table, double time, const Eigen::Vector4d& position,
                      const std::string& place) {
   const double span = time - table.time.back();

@@ -91,9 +91,10 @@ void refuse_above_solid(const ElementDensity& density, double mass) {
   const double relative = mass / (density.solid_density * filled);
   std::array<char, 400> text{};
   std::snprintf(text.data(), text.size(),
-                "the mesh is to hold %.6g g in %.6g mm^3 that lie in the powder, a relative density of %.4g, "
-                "allowed: up to 1, the solid of %.0f kg/m^3 (%.3g %% of the mass come out above); check the "
-                "mass (--mass, --mesh-share), and size and place of the mesh (--mesh-unit, --mesh-position)",
+                "the mesh would hold %.6g g in the %.6g mm^3 that lie in the powder, a relative density of "
+                "%.4g, allowed: up to 1, the solid of %.0f kg/m^3 (%.3g %% of the mass is in elements "
+                "above it); check the mass (--mass, --mesh-share), and size and position of the mesh "
+                "(--mesh-unit, --mesh-position)",
                 1e3 * mass, 1e9 * filled, relative, density.solid_density, 100 * above / mass);
   throw geometry::MeshError(text.data());
 }

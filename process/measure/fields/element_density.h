@@ -8,7 +8,7 @@
 
 namespace diefill::process {
 
-/// What the mesh is to hold.
+/// What the mesh has to hold.
 struct DensityRequest {
   double averaging_width = 0;  ///< m, sigma of (Bierwisch 2009, Eq. 2.27)
   double mass = 0;             ///< kg, of the whole mesh
@@ -23,7 +23,7 @@ struct ElementDensity {
   std::vector<double> node_volume;     ///< m^3: each element's volume in equal parts to its nodes
   std::vector<double> node_relative;   ///< 1, of each node; 0 where all its elements are outside
   std::vector<std::uint64_t> outside;  ///< numbers of the elements that hold no powder
-  std::vector<std::uint64_t> above;    ///< numbers of the elements that come out denser than their solid
+  std::vector<std::uint64_t> above;    ///< numbers of the elements that are denser than their solid
   double solid_density = 0;            ///< kg/m^3, of the grains' solid
   double total_volume = 0;             ///< m^3, of the mesh
   double scale = 1;                    ///< by which the averaged field was multiplied to conserve mass
@@ -36,8 +36,8 @@ double solid_density(const results::FillResult& result);
 /// at least 16 an element; points outside the powder count as 0. Then multiplies all elements by one factor,
 /// so that their masses sum to the request's. Nodes: the volume-weighted mean of their elements, which with
 /// `node_volume` has the same mass. Throws std::invalid_argument where no element lies in the powder, and
-/// geometry::MeshError where the mesh is to hold more than its volume of solid, or more than a tenth of the
-/// mass lies in elements that come out denser than the solid.
+/// geometry::MeshError where the mesh would hold more than its volume of solid, or more than a tenth of the
+/// mass would lie in elements denser than the solid.
 ElementDensity element_density(const results::FillResult& result, const results::SolidMesh& mesh,
                                const DensityRequest& request);
 

@@ -12,8 +12,8 @@ namespace diefill::process {
 
 namespace {
 
-/// The plane that shows most when nobody asked for one: upright, through the middle of the cavity or of the
-/// powder, along the shoe's motion.
+/// The default section, which shows most: vertical, through the middle of the cavity or of the powder, along
+/// the shoe's motion.
 results::SectionPlane default_section(const results::FillResult& result) {
   Eigen::Vector3d origin = result.cavity.axis_origin;
   if (result.cavity.volume <= 0) {

@@ -12,7 +12,7 @@ std::vector<double> even_edges(double lower, double upper, int cells);
 
 /// Solid volume (m^3) in Cartesian cells; edges in m, laboratory frame. Exact for spheres: what lies outside
 /// the grid is not counted, everything else sums to the total up to rounding. Grains of overlapping spheres:
-/// each sphere weighs as its share of the grain's solid volume. Throws std::invalid_argument where edges do
+/// each sphere counts with its share of the grain's solid volume. Throws std::invalid_argument where edges do
 /// not rise or are fewer than two.
 results::CellField cartesian_volumes(const results::PowderState& powder,
                                      const std::array<std::vector<double>, 3>& edges);

@@ -4,9 +4,9 @@
 
 namespace diefill::process {
 
-/// Volume of the part of the unit ball with x >= a, y >= b and z >= c, exact for any a, b, c: beyond 1
-/// nothing is left, below -1 the condition says nothing. Volume from the surface by the divergence theorem,
-/// the spherical part of the surface from the theorem of Gauss and Bonnet.
+/// Volume of the part of the unit ball with x >= a, y >= b and z >= c, exact for any a, b, c: above 1 the
+/// volume is 0, below -1 the condition has no effect. Volume from the surface by the divergence theorem, the
+/// spherical part of the surface from the theorem of Gauss and Bonnet.
 double ball_beyond(double a, double b, double c);
 
 /// Volume of the part of the unit ball with x >= a and y >= b.

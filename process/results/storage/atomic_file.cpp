@@ -49,7 +49,8 @@ class Descriptor {
   int number_;
 };
 
-/// A file beside the target that no one else has; gone with this object unless it was renamed to the target.
+/// A file beside the target that no other process uses; removed with this object unless it was renamed to the
+/// target.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& target) {
@@ -94,8 +95,8 @@ void flush_directory(const fs::path& directory) {
   if (handle.valid()) ::fsync(handle.number());
 }
 
-/// The process that a temporary file is of, by its name: `<target>.diefill-<process>-<number>.tmp`, or of
-/// results without that word, as earlier versions called them; nothing for other files, which may be
+/// The process that owns a temporary file, by the file's name: `<target>.diefill-<process>-<number>.tmp`, or
+/// of results without that word, as earlier versions called them; nothing for other files, which may be
 /// anyone's.
 std::optional<pid_t> writer_of(const std::string& name) {
   static const std::regex temporary(
@@ -105,10 +106,10 @@ std::optional<pid_t> writer_of(const std::string& name) {
   return static_cast<pid_t>(std::stol(parts[1]));
 }
 
-/// Whether a process of this number runs the program that we are; numbers come again. One that may not be
-/// looked at counts as at work.
+/// Whether the process with this id runs this program; ids are reused. A process that may not be inspected
+/// counts as running.
 bool is_at_work(pid_t process) {
-  if (process == ::getpid()) return false;  // we have just begun
+  if (process == ::getpid()) return false;  // this process has just begun
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/" + std::to_string(process) + "/exe", error);
   if (error) return error != std::errc::no_such_file_or_directory;

@@ -75,4 +75,13 @@ std::optional<pid_t> lock_holder(const fs::path& directory) {
   return holder;
 }
 
+bool left_by_a_killed_process(const fs::path& directory) {
+  const int file = ::open((directory / kLockFile).c_str(), O_RDWR | O_CLOEXEC);
+  if (file < 0) return false;
+  struct flock lock = whole_file();
+  const bool taken = ::fcntl(file, F_SETLK, &lock) == 0;
+  ::close(file);
+  return taken;
+}
+
 }  // namespace diefill::results

@@ -38,4 +38,8 @@ class DirectoryLock {
 /// The process that has locked the directory, 0 where it is on another machine; nothing where none has.
 std::optional<pid_t> lock_holder(const std::filesystem::path& directory);
 
+/// Whether a process that had locked the directory was killed and none has locked it since. False where the
+/// file system knows no locks.
+bool left_by_a_killed_process(const std::filesystem::path& directory);
+
 }  // namespace diefill::results

@@ -19,7 +19,7 @@ hid_t open(const std::filesystem::path& file) {
 hid_t open_image(const std::filesystem::path& file, const std::string& bytes) {
   constexpr std::size_t kGrowth = 4096;  // bytes; nothing is written
   Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  // HDF5 copies the bytes and leaves ours alone.
+  // HDF5 copies the bytes and does not change ours.
   void* const image = const_cast<char*>(bytes.data());
   const bool set = H5Pset_fapl_core(access.id(), kGrowth, false) >= 0 &&
                    H5Pset_file_image(access.id(), image, bytes.size()) >= 0;

@@ -18,7 +18,7 @@ class Hdf5Writer {
  public:
   Hdf5Writer();
 
-  /// Every `field` becomes a dataset of this name in the group of the moment, with its unit and description.
+  /// Every `field` becomes a dataset of this name in the current group, with its unit and description.
   void field(const std::string& name, double value, const char* unit, const char* description) {
     number(name, value, unit, description);
   }

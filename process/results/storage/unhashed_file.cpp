@@ -45,7 +45,7 @@ void send(int pipe, std::string_view bytes) {
   for (const int fatal :
        {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS, SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU})
     ::signal(fatal, SIG_DFL);
-  // Libraries that talk to the user would tear up the one line that this program says.
+  // Output of libraries would break up the one-line message of this program.
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   ::dup2(nowhere, STDOUT_FILENO);
   ::dup2(nowhere, STDERR_FILENO);
@@ -77,7 +77,7 @@ std::string received(int pipe) {
 
 std::string read_in_child(const std::filesystem::path& file, const std::function<std::string()>& read) {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw ResultError(file.string() + ": no pipe for reading it");
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw ResultError(file.string() + ": cannot create a pipe to read it");
   const pid_t child = ::fork();
   if (child == 0) {
     ::close(ends[0]);
@@ -86,7 +86,7 @@ std::string read_in_child(const std::filesystem::path& file, const std::function
   ::close(ends[1]);
   std::string answer = child < 0 ? std::string() : received(ends[0]);
   ::close(ends[0]);
-  if (child < 0) throw ResultError(file.string() + ": no process for reading it could be started");
+  if (child < 0) throw ResultError(file.string() + ": cannot start a process to read it");
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

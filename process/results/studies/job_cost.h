@@ -8,7 +8,7 @@ namespace diefill::results {
 /// Of all attempts at a run together.
 struct JobCost {
   double cpu_seconds = 0;        ///< s of processor time, all threads
-  double wall_seconds = 0;       ///< s by the clock
+  double wall_seconds = 0;       ///< s of wall-clock time
   double peak_memory_bytes = 0;  ///< largest resident set
 };
 

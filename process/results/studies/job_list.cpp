@@ -20,7 +20,7 @@ JobList from_json(const Json& json) {
     list.jobs.push_back({entry.at("variant"), entry.at("seed"), entry.at("folder")});
     const auto known = std::find(list.variants.begin(), list.variants.end(), list.jobs.back().variant);
     if (known == list.variants.end()) throw std::invalid_argument("a job of an unknown variant");
-    // Elsewhere a list could send its reader to files that are no runs of it.
+    // Otherwise a list could refer to files outside its directory, which are not its runs.
     const std::filesystem::path folder = list.jobs.back().folder;
     if (folder.empty() || folder.is_absolute() || folder.lexically_normal().begin()->string() == "..")
       throw std::invalid_argument("a job outside the list's directory");

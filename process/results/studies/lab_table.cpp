@@ -143,7 +143,7 @@ LabTable read_lab_table(const std::filesystem::path& directory, const std::strin
     for (const Json& row : json.at("rows")) table.rows.push_back(row_of(row));
     return table;
   } catch (const Json::exception&) {
-    throw ResultError(file.string() + ": is no table of the laboratory; run the experiment again");
+    throw ResultError(file.string() + ": is not a laboratory table; run the experiment again");
   }
 }
 

@@ -68,7 +68,7 @@ std::string spread_text(const SpreadFigure& figure) {
                     start = figure.name + ' ' + number(figure.mean, 4) + unit + ": ";
   if (!std::isfinite(figure.powder) || figure.told_apart)
     return start + "+-" + number(figure.powder, 2) + unit + " by the powder, " + seeds;
-  return start + seeds + "; what is by the powder is not told apart from seeds";
+  return start + seeds + "; the share of the powder cannot be distinguished from the scatter over seeds";
 }
 
 void write_powder_spread(const std::filesystem::path& directory, const PowderSpread& spread) {

@@ -78,10 +78,10 @@ void refuse_grains_in_each_other(const SphereRows& grains, const std::filesystem
       const std::size_t other = level.in(spheres[index], spheres);
       if (other == spheres.size()) continue;
       const auto [first, second] = std::minmax(grains.lines[index], grains.lines[other]);
-      throw SceneError(file.string() + ':' + std::to_string(second) + ": this grain is in that of line " +
+      throw SceneError(file.string() + ':' + std::to_string(second) + ": this grain overlaps that of line " +
                        std::to_string(first) +
-                       ", allowed: an overlap of up to half the smaller radius; remove one of the two, or "
-                       "give grains that only touch");
+                       " by more than half the smaller radius; remove one of the two, or give grains that "
+                       "only touch");
     }
     const int level = std::ilogb(spheres[index].radius);
     levels.try_emplace(level, level).first->second.add(spheres[index], index);

@@ -125,9 +125,9 @@ void check_scaling(TableReader& document, const Scene& scene) {
       document.table("contact")->reject(
           "coarse_graining",
           "this rule scales all forces by one factor, but grains of \"" + scene.powder.label +
-              "\" stand for " + number_text(factor) + " and those of \"" + other.powder.label + "\" for " +
-              number_text(its) +
-              " times their size; make the two equal by grain_diameter or choose \"bierwisch\"");
+              "\" are enlarged " + number_text(factor) + " times and those of \"" + other.powder.label +
+              "\" " + number_text(its) +
+              " times; make the two equal by grain_diameter or choose \"bierwisch\"");
   }
 }
 

@@ -124,7 +124,8 @@ TEST(CadAsItComes, ABinaryStlOfNoTrianglesIsRefused) {
   expect_refused(die,
                  {"die.stl' holds no triangles: its header counts none, and nothing follows it; export"});
   die.write("die.stl", std::string(80, ' ') + std::string(11, '\0'));
-  expect_refused(die, {"counts none, and the 7 bytes behind it are no whole triangles of 50 bytes"});
+  expect_refused(die,
+                 {"counts none, and the 7 bytes after it are not a whole number of triangles of 50 bytes"});
 }
 
 /// A punch below the die and one far above it, in one file.
@@ -189,7 +190,7 @@ TEST(CadAsItComes, DoubledFacetsAreDropped) {
   const SmallDie die;
   const cad::Part part = small_die();
   die.write("die.stl", cad::binary_stl(cad::joined(part, {part[0], part[5], part[5]})));
-  expect_says(expect_as_plain(die)["tools"][0]["repairs"].dump(), "3 doubled triangles removed");
+  expect_says(expect_as_plain(die)["tools"][0]["repairs"].dump(), "3 duplicate triangles removed");
 }
 
 TEST(CadAsItComes, BlocksThatShareAFaceAreOneDie) {

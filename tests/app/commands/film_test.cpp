@@ -12,12 +12,17 @@
 namespace diefill::app {
 namespace {
 
+/// Runs the scene with instants: few, because each frame is drawn at full size, whatever the film's width.
+Outcome run_with_instants(const SmallDie& die) {
+  die.write("scene.toml", contents(die.scene()) + "snapshot_interval = \"40 ms\"\n");
+  return die.run({"--quiet", "--no-pictures"});
+}
+
 TEST(Film, DrawsEveryInstantAndTheEnd) {
   const SmallDie die;
-  die.write("scene.toml", contents(die.scene()) + "snapshot_interval = \"20 ms\"\n");
-  ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 0);
+  ASSERT_EQ(run_with_instants(die).exit_code, 0);
   const Outcome outcome = run_program({"film", die.out().string(), "--keep-frames", "--width", "400",
-                                       "--tools", "translucent", "--colour-by", "speed", "--jobs", "2"});
+                                       "--tools", "hidden", "--colour-by", "speed", "--jobs", "2"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto frames = SmallDie::files_in(die.out() / "film_frames");
   ASSERT_GT(frames.size(), 5U);
@@ -34,10 +39,7 @@ TEST(Film, DrawsEveryInstantAndTheEnd) {
 /// Results with instants, and what is in their folder.
 class Filmed : public testing::Test {
  protected:
-  Filmed() {
-    die_.write("scene.toml", contents(die_.scene()) + "snapshot_interval = \"20 ms\"\n");
-    EXPECT_EQ(die_.run({"--quiet", "--no-pictures"}).exit_code, 0);
-  }
+  Filmed() { EXPECT_EQ(run_with_instants(die_).exit_code, 0); }
   std::vector<std::string> arguments(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> all = {
         "film", die_.out().string(), "--width", "400", "--out", (die_.folder() / "my.mp4").string(), "--jobs",
@@ -97,6 +99,9 @@ TEST_F(Filmed, EndsWithItsWorkersAndLeavesNoFrames) {
     EXPECT_TRUE(until([&] { return programs_with(film) == 0; }));
     EXPECT_FALSE(std::filesystem::exists(film));
   }
+  // The frames of the one that was killed are gone with those of the next.
+  for (const std::string& name : SmallDie::files_in(die_.folder()))
+    EXPECT_FALSE(name.starts_with("my_frames")) << name;
 }
 
 TEST(Film, RefusesWhatItCannotShow) {

@@ -10,7 +10,7 @@ TEST(Powders, AreListedWithUseAndLimitsThoseThatFillDiesFirst) {
   const Outcome text = run_program({"powders"});
   EXPECT_EQ(text.exit_code, 0);
   EXPECT_LT(text.out.find("Distaloy AE"), text.out.find("ASC100.29 D2"));
-  EXPECT_NE(text.out.find("settle into towers"), std::string::npos);
+  EXPECT_NE(text.out.find("stack into vertical columns"), std::string::npos);
   EXPECT_NE(text.out.find("apparent density 3 g/cm3"), std::string::npos);
   const Outcome outcome = run_program({"powders", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -34,9 +34,9 @@ TEST(Powders, ThatStandInTowersAreNeverSuggestedFirstAndWarnedOf) {
   EXPECT_EQ(wrong.err.find("did you mean \"ASC100.29 A1\""), std::string::npos) << wrong.err;
   EXPECT_LT(wrong.err.find("\"Distaloy AE\""), wrong.err.find("\"ASC100.29 A1\"")) << wrong.err;
   die.exchange("preset = \"ASC100.29\"", "preset = \"ASC100.29 A1\"");
-  const Outcome towers = die.check();
-  EXPECT_EQ(towers.exit_code, 0) << towers.err;
-  EXPECT_NE(towers.out.find("settle into towers"), std::string::npos) << towers.out;
+  const Outcome columns = die.check();
+  EXPECT_EQ(columns.exit_code, 0) << columns.err;
+  EXPECT_NE(columns.out.find("stack into vertical columns"), std::string::npos) << columns.out;
 }
 
 TEST(Powders, GiveMassesInGramsAndAVerdict) {

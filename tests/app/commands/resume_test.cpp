@@ -170,17 +170,32 @@ TEST(Resume, RefusesACheckpointOfOtherCadFiles) {
   EXPECT_NE(outcome.err.find("different CAD files"), std::string::npos) << outcome.err;
 }
 
-TEST(Resume, RefusesInputsThatWereEditedWhileTheRunWasGoing) {
-  const SmallDie die;
+constexpr const char* kTable = "time s,x mm\n0,0\n0.05,-8\n";
+
+/// Begins a run whose shoe follows the table m.csv, edits that once the run has read it, and stops the run.
+void edit_the_table_and_stop(const SmallDie& die) {
   die.exchange_passage("[[step]]\nkind = \"table\"\ntool = \"shoe\"\nfile = \"m.csv\"\n");
-  const std::string table = "time s,x mm\n0,0\n0.05,-8\n", edited = "time s,x mm\n0,0\n0.04,-8\n";
-  die.write("m.csv", table);
+  die.write("m.csv", kTable);
   Program program(die.run_arguments());
   ASSERT_TRUE(wait_until(program, [&] { return std::filesystem::exists(die.out() / "checkpoint.inputs"); }));
-  die.write("m.csv", edited);
+  die.write("m.csv", "time s,x mm\n0,0\n0.04,-8\n");
   pause_for(50);
   program.send(SIGINT);
   ASSERT_EQ(program.wait().exit_code, 130);
+}
+
+TEST(Resume, GoesOnWhereAnInputThatWasEditedMeanwhileIsRestored) {
+  const SmallDie die;
+  ASSERT_NO_FATAL_FAILURE(edit_the_table_and_stop(die));
+  die.write("m.csv", kTable);
+  const Outcome resumed = die.run({"--resume", "--no-pictures"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_NE(resumed.err.find("resuming at t = "), std::string::npos) << resumed.err;
+}
+
+TEST(Resume, RefusesInputsThatWereEditedWhileTheRunWasGoing) {
+  const SmallDie die;
+  ASSERT_NO_FATAL_FAILURE(edit_the_table_and_stop(die));
   const Outcome refused = die.run({"--resume"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(refused.complaints(), 1U) << refused.err;

@@ -35,7 +35,7 @@ class WrongOptions : public testing::Test {
 TEST_F(WrongOptions, EmptyWordsAreNoValues) {
   refused({"run", scene(), "--out", ""}, {"--out: found an empty text"});
   refused({"run", scene(), "--out", "  "}, {"--out: found an empty text"});
-  refused({"run", scene(), "--out="}, {"--out: found nothing behind it"});
+  refused({"run", scene(), "--out="}, {"--out: no value after ="});
   refused({"check", scene(), "--set", ""}, {"--set: found an empty text"});
   refused({"run", scene(), "--setting", ""}, {"--setting: found an empty text"});
   refused({"plan", scene(), "--setting", ""}, {"--setting: found an empty text"});

@@ -6,6 +6,7 @@
 
 #include <regex>
 
+#include "geometry/cad/cad_child.h"
 #include "tests/geometry/mesh_files.h"
 #include "tests/geometry/sample_meshes.h"
 #include "tests/support/temporary_folder.h"
@@ -43,6 +44,18 @@ TEST(MeshImport, EveryFormatGivesTheSameTube) {
     EXPECT_EQ(read.triangles.size(), tube.triangles.size()) << name;
     EXPECT_NEAR(read.volume(), tube.volume() * 1e-9, 1e-6 * tube.volume() * 1e-9) << name;
     EXPECT_NEAR((read.bounding_box().upper - 1e-3 * tube.bounding_box().upper).norm(), 0, 2e-9) << name;
+  }
+}
+
+TEST(MeshImport, TellsThatTheReaderRefusedAFile) {
+  const TemporaryFolder directory;
+  const auto file =
+      directory.write("a.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n");
+  try {
+    import_mesh(file, 1e-3);
+    FAIL() << "it has no shapes";
+  } catch (const UnreadableFile& error) {
+    EXPECT_EQ(error.failure, ChildFailure::kRefused);
   }
 }
 

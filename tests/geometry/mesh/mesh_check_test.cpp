@@ -84,7 +84,7 @@ TEST(MeshCheck, RemarksOnADuplicateTriangleButTakesTheSolid) {
   const MeshFindings findings = check_mesh(mesh);
   EXPECT_EQ(findings.duplicate_triangles, 1U);
   EXPECT_TRUE(findings.usable());
-  expect_words(findings, "1 triangle twice");
+  expect_words(findings, "1 duplicate triangle");
 }
 
 TEST(MeshCheck, RemarksOnADegenerateTriangleButTakesTheSolid) {

@@ -106,7 +106,7 @@ TEST(MeshRepair, DropsDuplicatesOfAHoledMesh) {
   Mesh mesh = tube();
   mesh.triangles.push_back(mesh.triangles[7]);
   mesh.triangles.erase(mesh.triangles.begin() + 40);
-  expect_repaired(mesh, tube().volume(), "1 doubled triangle removed");
+  expect_repaired(mesh, tube().volume(), "1 duplicate triangle removed");
 }
 
 TEST(MeshRepair, UnitesOverlappingShells) {

@@ -7,6 +7,7 @@
 #include "process/scene/scene_text.h"
 #include "project_paths.h"
 #include "tests/process/fitted_with.h"
+#include "tests/support/scene_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::process::calibration {
@@ -46,6 +47,15 @@ friction = 0.31
     EXPECT_EQ(measurement.runs.size(), 1U);
     return parse_scene_text(measurement.runs.front().text, measurement.runs.front().file);
   }
+  void expect_varied_values() const {
+    const toml::table walls =
+        scene_of(read("wall_discharge", "discharged area, mu_w = 0.25, spacing 1.6 R_w", " mm^2"));
+    EXPECT_EQ(walls["walls"]["friction"].value<double>(), 0.25);
+    EXPECT_EQ(walls["walls"]["spacing"].value<double>(), 1.6);
+    EXPECT_EQ(walls["powder"]["friction"].value<double>(), 0.42);
+    const toml::table stiff = scene_of(read("youngs_modulus", "fraction, E = 1000000000 Pa"));
+    EXPECT_EQ(stiff["powder"]["reduced_modulus"].value<std::string>(), "1000000000 Pa");
+  }
 
   support::TemporaryFolder folder_;
 };
@@ -69,12 +79,17 @@ TEST_F(Experiments, TakeTheStartingPowderWithItsWalls) {
 }
 
 TEST_F(Experiments, KeepTheFrictionAndModulusThatTheyVary) {
-  const toml::table walls =
-      scene_of(read("wall_discharge", "discharged area, mu_w = 0.25, spacing 1.6 R_w", " mm^2"));
-  EXPECT_EQ(walls["walls"]["friction"].value<double>(), 0.25);
-  EXPECT_EQ(walls["powder"]["friction"].value<double>(), 0.42);
-  const toml::table stiff = scene_of(read("youngs_modulus", "fraction, E = 1000000000 Pa"));
-  EXPECT_EQ(stiff["powder"]["reduced_modulus"].value<std::string>(), "1000000000 Pa");
+  expect_varied_values();
+}
+
+TEST_F(Experiments, KeepWhatTheyVaryWhereTheStartingPowderIsAScene) {
+  for (const char* tool : {"die.stl", "shoe.stl"}) folder_.write(tool, "");
+  support::SceneTables scene;
+  scene.powder = "preset = \"ASC100.29 D2\"\nfriction = 0.42\nreduced_modulus = \"5 MPa\"\n";
+  scene.walls = "sphere_radius = \"0.15 mm\"\nspacing = 2.4\nfriction = 0.31\n";
+  folder_.write("powder.toml", support::scene_text(scene));
+  expect_varied_values();
+  EXPECT_EQ(scene_of(read("mean_fractions", "settled"))["walls"]["friction"].value<double>(), 0.31);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST(ParameterRange, FaultsAreNamedWithTheirPlace) {
                 .find("begins above 0"),
             std::string::npos);
   EXPECT_NE(complaint("[[parameter]]\nkey = \"powder.grain_mass\"\nfrom = \"1 mg\"\nto = \"2 mm\"\n")
-                .find("not a unit"),
+                .find("does not have the dimension of"),
             std::string::npos);
   EXPECT_NE(complaint("[[parameter]]\nkey = \"powder.friction\"\nfrom = 0\nto = 1\nscale = \"logaritmic\"\n")
                 .find("calibration.toml:5"),

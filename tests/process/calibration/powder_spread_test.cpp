@@ -15,7 +15,8 @@ TEST(PowderSpread, IsANumberOnlyWhereItIsToldApartFromSeeds) {
   EXPECT_EQ(spread_text(figure), "filled mass 12.1 g: +-0.3 g by the powder, +-0.1 g over seeds");
   figure.told_apart = false;
   EXPECT_EQ(spread_text(figure),
-            "filled mass 12.1 g: +-0.1 g over seeds; what is by the powder is not told apart from seeds");
+            "filled mass 12.1 g: +-0.1 g over seeds; the share of the powder cannot be distinguished from "
+            "the scatter over seeds");
   figure.powder = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(spread_text(figure), "filled mass 12.1 g: +-unknown g by the powder, +-0.1 g over seeds");
 }

@@ -71,7 +71,7 @@ TEST(Collect, CountsNoRunThatBeganFromOtherContentsOfTheSameState) {
   ASSERT_EQ(comparison.runs.size(), 4U);
   for (const std::size_t same : {0, 1, 3}) EXPECT_EQ(comparison.runs[same].state, "finished") << same;
   EXPECT_EQ(comparison.runs[2].state, "failed");
-  EXPECT_NE(comparison.runs[2].reason.find("read other contents of /settled/results.h5 than slow/seed-1"),
+  EXPECT_NE(comparison.runs[2].reason.find("read different contents of /settled/results.h5 than slow/seed-1"),
             std::string::npos)
       << comparison.runs[2].reason;
 }

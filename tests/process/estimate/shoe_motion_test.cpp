@@ -102,6 +102,24 @@ TEST(EstimateOfMotion, ACavityThatIsOpenDuringThePourIsFullAfterIt) {
   EXPECT_EQ(estimated(kSquare).openings.at(0).poured, 0);
 }
 
+TEST(EstimateOfMotion, WhatIsPouredOverAnOpenSlitRunsOut) {
+  constexpr const char* kSlit = "slit_plate/discharge_6mm.toml";
+  const Estimate beside = estimated(kSlit),
+                 over = estimated(kSlit, {{"\"58 mm\", \"0 mm\"", "\"0 mm\", \"0 mm\""},
+                                          {"from = [\"42 mm\"", "from = [\"-16 mm\""},
+                                          {"to = [\"74 mm\"", "to = [\"16 mm\""}});
+  EXPECT_FALSE(beside.openings.at(0).runs_out());
+  EXPECT_LT(beside.openings[0].mass.back(), 0.9 * beside.powder.in_shoe);
+  const OpeningEstimate& slit = over.openings.at(0);
+  EXPECT_GT(slit.poured, kWhole);
+  EXPECT_NEAR(slit.mass.back(), over.powder.in_shoe, 1e-9 * over.powder.in_shoe);
+  EXPECT_GT(slit.least_mass, 0);
+  EXPECT_LT(slit.least_mass, slit.mass.back());
+  EXPECT_TRUE(says(answer_said(over), "what is poured over it runs out before it rests"))
+      << answer_said(over);
+  EXPECT_FALSE(says(all_said(over), "it is full when that rests")) << all_said(over);
+}
+
 TEST(EstimateOfMotion, NoMoreThanTheShoesLengthFlowsAtATime) {
   OpeningPatch place;
   place.width = place.chord = 60 * kMm;

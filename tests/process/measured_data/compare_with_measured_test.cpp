@@ -150,9 +150,10 @@ TEST_F(CompareWithMeasured, ColumnsOfOtherNamesAreRefused) {
 
 TEST_F(CompareWithMeasured, ImpossibleValuesAreRefusedWithTheirLine) {
   const std::string head = "azimuth [deg], height [mm], solid fraction [1]\n90, 10, 0.3\n";
-  EXPECT_NE(complaint(head + "180, 10, 35.3\n")
-                .find("level.csv:3: found solid fraction 35.3, allowed: 0 to 1, as nothing else is possible"),
-            std::string::npos)
+  EXPECT_NE(
+      complaint(head + "180, 10, 35.3\n")
+          .find("level.csv:3: found solid fraction 35.3, allowed: 0 to 1, the range of possible values"),
+      std::string::npos)
       << complaint(head + "180, 10, 35.3\n");
   for (const char* value : {"-0.3", "nan", "1e999", "1.0001"})
     EXPECT_NE(complaint(head + "180, 10, " + value + "\n").find("level.csv:3"), std::string::npos) << value;

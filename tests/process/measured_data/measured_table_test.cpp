@@ -66,12 +66,13 @@ TEST_F(MeasuredCsv, DeviationsStandInTheColumnThatIsCalledSo) {
 
 TEST_F(MeasuredCsv, EachFaultIsNamedInOneLineWithItsLine) {
   EXPECT_EQ(complaint("speed,mass [g],s [g]\n1,2,3\n"),
-            "data.csv:1:1: column \"speed\" has no unit; write one behind the name, as in \"mass [g]\", or "
+            "data.csv:1:1: column \"speed\" has no unit; write one after the name, as in \"mass [g]\", or "
             "\"[1]\" for plain numbers");
   EXPECT_NE(complaint("speed [m/s],mass [grm],s [g]\n1,2,3\n").find("data.csv:1:13: column \"mass [grm]\""),
             std::string::npos);
-  EXPECT_NE(complaint("speed [m/s],mass [g],s [mm]\n1,2,3\n").find("\"mm\" is not a unit of what has \"g\""),
-            std::string::npos);
+  EXPECT_NE(
+      complaint("speed [m/s],mass [g],s [mm]\n1,2,3\n").find("\"mm\" does not have the dimension of \"g\""),
+      std::string::npos);
   const std::string head = "speed [m/s],mass [g],s [g]\n";
   EXPECT_EQ(complaint(head + "0.2,2,1\n0.1,3,1\n"),
             "data.csv:3: 0.1 follows 0.2; sort the points in rising order");
@@ -125,7 +126,8 @@ TEST(MeasuredInline, ACurveHasListsAndOneDeviationServesAll) {
 }
 
 TEST(MeasuredInline, FaultsAreNamed) {
-  EXPECT_NE(inline_complaint("value = \"12\"\ndeviation = \"1 g\"", 0).find("not a unit"), std::string::npos);
+  EXPECT_NE(inline_complaint("value = \"12\"\ndeviation = \"1 g\"", 0).find("does not have the dimension of"),
+            std::string::npos);
   EXPECT_NE(inline_complaint("value = \"12 g\"", 0).find("deviation"), std::string::npos);
   EXPECT_NE(inline_complaint("value = \"12 g\"\ndeviation = \"0 g\"", 0).find("allowed: more than 0"),
             std::string::npos);

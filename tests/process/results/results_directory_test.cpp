@@ -55,6 +55,27 @@ TEST(DirectoryLock, OfAKilledProcessMeansNothing) {
   EXPECT_EQ(told_another_process(folder.path()), "");
 }
 
+/// What another process finds.
+bool left_for_another_process(const fs::path& directory) {
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(left_by_a_killed_process(directory) ? 1 : 0);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WEXITSTATUS(status) == 1;
+}
+
+TEST(DirectoryLock, OfAKilledProcessTellsWhatItHasLeft) {
+  const support::TemporaryFolder folder;
+  EXPECT_FALSE(left_for_another_process(folder.path()));
+  {
+    const DirectoryLock lock(folder.path());
+    EXPECT_FALSE(left_for_another_process(folder.path()));
+  }
+  EXPECT_FALSE(left_for_another_process(folder.path()));
+  folder.write(".diefill-lock", "");
+  EXPECT_TRUE(left_for_another_process(folder.path()));
+}
+
 TEST(EarlierResults, AreMovedAsideAndNothingElse) {
   const support::TemporaryFolder folder;
   const fs::path& out = folder.path();

@@ -46,7 +46,12 @@ class SharedStart : public testing::Test {
   }
 
   std::uint64_t hash_of(const std::string& text) const {
-    return start_hash(parse_scene(text, folder_.path() / "scene.toml"), tooling_, frame_, schedule_, kNow);
+    RunFrame frame = frame_;
+    frame.inputs = input_files(text, folder_.path() / "scene.toml");
+    return hash_of(text, frame);
+  }
+  std::uint64_t hash_of(const std::string& text, const RunFrame& frame) const {
+    return start_hash(parse_scene(text, folder_.path() / "scene.toml"), tooling_, frame, schedule_, kNow);
   }
   std::uint64_t hash() const { return hash_of(two_steps()); }
   std::uint64_t hash_with(const std::string& old, const std::string& replacement) const {
@@ -55,7 +60,7 @@ class SharedStart : public testing::Test {
 
   SceneFolder folder_;
   Tooling tooling_;
-  RunFrame frame_{.time_step = 1e-6, .domain = {}};
+  RunFrame frame_{.time_step = 1e-6, .domain = {}};  ///< without inputs
   ScheduleState schedule_;
 };
 
@@ -119,6 +124,25 @@ TEST_F(SharedStart, IsAnotherWhereTheFileOfPlacedGrainsHoldsOthers) {
   const std::uint64_t before = of_grains("24.5, 2, 3, 1");
   EXPECT_EQ(of_grains("24.5, 2, 3, 1"), before);
   EXPECT_NE(of_grains("24.5, 2, 4, 1"), before);
+}
+
+TEST_F(SharedStart, IsOfTheFilesAsTheyWereReadThoughTheyAreEditedSince) {
+  const auto write = [&](const std::string& grain, const std::string& point) {
+    std::ofstream(folder_.path() / "grains.csv") << "x [mm], y [mm], z [mm], radius [mm]\n" << grain << '\n';
+    std::ofstream(folder_.path() / "motion.csv") << "time s,x mm\n0,0\n" << point << '\n';
+  };
+  const std::string table = support::exchanged(
+      two_steps(), "kind = \"passage\"\ntool = \"shoe\"\nvelocity = \"0.2 m/s\"\ndirection = \"-x\"",
+      "kind = \"table\"\ntool = \"shoe\"\nfile = \"motion.csv\"");
+  const std::string text =
+      support::exchanged(table, support::SceneTables().pour, "grains_file = \"grains.csv\"\n");
+  write("24.5, 2, 3, 1", "0.1,1");
+  RunFrame frame = frame_;
+  frame.inputs = input_files(text, folder_.path() / "scene.toml");
+  const std::uint64_t before = hash_of(text, frame);
+  write("24.5, 2, 4, 1", "0.1,2");
+  EXPECT_EQ(hash_of(text, frame), before);
+  EXPECT_NE(hash_of(text), before);
 }
 
 TEST_F(SharedStart, IsAnotherWhereTheNextStepMayHaveBegunEarlier) {

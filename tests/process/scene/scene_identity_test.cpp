@@ -62,6 +62,8 @@ TEST(SceneIdentity, InputFilesAreNamedWithAHashOfTheirContents) {
   ASSERT_EQ(before.size(), 1U);
   EXPECT_EQ(before.front().name, "motion.csv");
   EXPECT_EQ(input_files("# a comment\n" + text, file).front().hash, before.front().hash);
+  EXPECT_EQ(hash_of_input(before, "motion.csv"), before.front().hash);
+  EXPECT_THROW(hash_of_input(before, "other.csv"), std::logic_error);
   folder.write("motion.csv", "0,0\n1,2\n");
   EXPECT_NE(input_files(text, file).front().hash, before.front().hash);
 }

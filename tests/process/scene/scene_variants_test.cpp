@@ -35,6 +35,16 @@ int lines_before() {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
+TEST(SceneChanges, GiveAKeyAgainThatLiesUnderThem) {
+  const SceneFolder folder;
+  SceneChanges changes;
+  changes.under = "powder.\"friction\" = 0.4\npowder.\"work_of_adhesion\" = \"0.002 J/m^2\"\n";
+  changes.set = "powder.friction = 0.3\n";
+  const Scene scene = changed_scene(faultless_scene(), folder.write(faultless_scene()), changes);
+  EXPECT_EQ(scene.powder.friction, 0.3);
+  EXPECT_EQ(scene.powder.work_of_adhesion, 0.002);
+}
+
 TEST(SceneChanges, FaultsNameTheOptionAndNotTheFile) {
   const SceneFolder folder;
   const auto file = folder.write(faultless_scene());

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <tuple>
 
 #include "render/charts/chart_layout.h"
 #include "render/charts/curve_painter.h"
+#include "render/charts/variation_charts.h"
 #include "render/fields/pictures.h"
 #include "tests/render/fields/drawing_test.h"
 #include "tests/render/synthetic_ring.h"
@@ -186,6 +188,57 @@ TEST_F(ChartTest, ReferencesAreGreyAndTakeNoColourOfTheData) {
   };
   for (const std::size_t k : {3U, 8U}) EXPECT_TRUE(close_to(at(0, k), {90, 90, 90}, 3)) << k;
   EXPECT_TRUE(close_to(at(1, 8), colour_of(0), 3));
+}
+
+// A band of the picture just beyond one side of the data rectangle, clear of the frame's own line.
+QRect beyond_right(const QRectF& frame) {
+  return {static_cast<int>(frame.right()) + 4, static_cast<int>(frame.top()), 24,
+          static_cast<int>(frame.height())};
+}
+
+QRect beyond_top(const QRectF& frame) {
+  return {static_cast<int>(frame.left()), static_cast<int>(frame.top()) - 11, static_cast<int>(frame.width()),
+          8};
+}
+
+TEST_F(ChartTest, CurvesEndAtTheFrame) {
+  for (const CurveStyle style : {CurveStyle::kLine, CurveStyle::kLineAndMarkers, CurveStyle::kMarkers,
+                                 CurveStyle::kBars, CurveStyle::kReference}) {
+    Chart chart;
+    chart.x = {.label = "x", .lower = 0, .upper = 5.1};
+    chart.y = {.label = "y", .lower = 0, .upper = 24.5};
+    chart.curves = {parabola("", 1, style), {"", {0, 10}, {12, 12}, style, {}}};
+    for (Curve& curve : chart.curves) curve.y_error = curve.band = std::vector<double>(curve.y.size(), 1.5);
+    const auto picture = compose_chart(chart);
+    keep(picture.image, "chart_frame_" + std::to_string(static_cast<int>(style)) + ".png");
+    EXPECT_EQ(ink(picture.image, beyond_right(picture.plot.rect)), 0) << static_cast<int>(style);
+    EXPECT_EQ(ink(picture.image, beyond_top(picture.plot.rect)), 0) << static_cast<int>(style);
+  }
+}
+
+TEST_F(ChartTest, ACurveAndAMarkOnTheFrameAreWhole) {
+  Chart chart;
+  chart.x = {.label = "x", .lower = 0, .upper = 4};
+  chart.y = {.label = "y", .lower = 0, .upper = 1};
+  chart.curves = {{"", {0, 4}, {1, 1}, CurveStyle::kLine, {}}, {"", {4}, {0.5}, CurveStyle::kMarkers, {}}};
+  const auto picture = compose_chart(chart);
+  keep(picture.image, "chart_on_the_frame.png");
+  const QPointF line = picture.plot.pixel(2, 1), mark = picture.plot.pixel(4, 0.5);
+  EXPECT_TRUE(close_to(pixel_at(picture.image, line - QPointF(0, 1.5)), colour_of(0), 3));
+  EXPECT_TRUE(close_to(pixel_at(picture.image, mark + QPointF(4, 0)), colour_of(1), 3));
+}
+
+TEST_F(ChartTest, TheFillPlaneIsAReferenceAcrossTheFillLevels) {
+  const results::Profile along{"fill level", "mm", "distance", "mm", {1, 2, 3}, {9, 8, 9}},
+      round{"fill level", "mm", "azimuth", "deg", {10, 120, 350}, {9, 8, 9}};
+  for (const auto& [profile, from, to] : {std::tuple{along, 1, 3}, std::tuple{round, 0, 360}}) {
+    const Chart chart = fill_level_chart({{"", profile}}, 10, "");
+    const Curve& plane = chart.curves.back();
+    EXPECT_EQ(plane.name, "fill plane");
+    EXPECT_EQ(plane.style, CurveStyle::kReference);
+    EXPECT_EQ(plane.x, (std::vector<double>{static_cast<double>(from), static_cast<double>(to)}));
+    EXPECT_EQ(plane.y, (std::vector<double>{10, 10}));
+  }
 }
 
 TEST_F(ChartTest, ANaturalZeroAndGivenLimitsAreKept) {

@@ -72,6 +72,28 @@ TEST_F(MeasuredSection, PicturesAreThoseOfTheKindOfData) {
   EXPECT_EQ(suffixes(density(false)), (std::vector<std::string>{"_scatter"}));
 }
 
+// Most pixels of the references' grey in one row: a level broken line has half a row's, letters a few.
+int most_grey_in_a_row(const QImage& image) {
+  int most = 0;
+  for (int row = 0; row < image.height(); ++row) {
+    int count = 0;
+    for (int column = 0; column < image.width(); ++column)
+      count += test::close_to(test::pixel_at(image, QPointF(column, row)), {90, 90, 90}, 3);
+    most = std::max(most, count);
+  }
+  return most;
+}
+
+TEST_F(MeasuredSection, NoDifferenceIsAGreyReferenceLine) {
+  auto both_signs = level();
+  both_signs.simulated = {10.5, 10.5, 12.5, 10.5};
+  QImage difference;
+  for (const auto& picture : measured_pictures(both_signs))
+    if (picture.suffix == "_difference") difference = QImage::fromData(picture.figure.png);
+  ASSERT_FALSE(difference.isNull());
+  EXPECT_GT(most_grey_in_a_row(difference), difference.width() / 4);
+}
+
 TEST_F(MeasuredSection, TheTextForTerminalsHasALineForEachZone) {
   const std::string text = measured_text(level());
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);

@@ -42,9 +42,9 @@ TEST(SolidMeshVtu, BadFilesAreRefusedWithTheReason) {
   const auto file = folder.path() / "a.vtu";
   EXPECT_EQ(refusal(file), "found no such file");
   folder.write("a.vtu", "solid\n");
-  EXPECT_EQ(refusal(file), "found no VTK file, expected an UnstructuredGrid (.vtu)");
+  EXPECT_EQ(refusal(file), "found a file that is not in VTK format, expected an UnstructuredGrid (.vtu)");
   write_points(file, {{0, 0, 0}}, {});
-  EXPECT_EQ(refusal(file), "found VTK data of kind PolyData, expected an UnstructuredGrid (.vtu)");
+  EXPECT_EQ(refusal(file), "found VTK data of type PolyData, expected an UnstructuredGrid (.vtu)");
   write_vtu(file, two_tetrahedra(), {}, {});
   const std::string whole = support::contents(file);
   folder.write("a.vtu", whole.substr(0, whole.size() / 2));

@@ -1,5 +1,5 @@
-// Stand-in for a header that LAMMPS' headers include and Debian's package leaves out: the names that they
-// need to be read. Nothing of it is called.
+// Stand-in for a header that LAMMPS' headers include and Debian's package leaves out: only the names that
+// those headers need to compile. None of it is called.
 #pragma once
 
 namespace fmt {

@@ -46,7 +46,8 @@ double level_of(const std::vector<double>& counts, std::size_t sector, std::size
   return std::max(0.0, ring.depth - grains * grain / (kLoose * area));
 }
 
-/// Calls `each` with the place before and the way (m) of every grain that is in the ring at both instants.
+/// Calls `each` with the initial position and the displacement (m) of every grain that is in the ring at both
+/// instants.
 template <class Each>
 void for_stayers(const results::PowderState& before, const results::PowderState& after, const Each& each) {
   std::map<std::uint64_t, Eigen::Vector3d> places;

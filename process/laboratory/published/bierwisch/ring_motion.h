@@ -1,5 +1,5 @@
-// Where powder in a ring moves and condenses: between two instants of a filling (Bierwisch 2009, section
-// 6.4). The ring is about the z axis, its upper edge at z = 0; azimuth 0 is at +x.
+// Where powder in a ring moves and densifies between two instants of a filling (Bierwisch 2009, section 6.4).
+// The ring is about the z axis, its upper edge at z = 0; azimuth 0 is at +x.
 #pragma once
 
 #include "process/results/fill_result.h"
@@ -25,7 +25,7 @@ double change_near_surface(const results::PowderState& before, const results::Po
 double depth_of_motion(const results::PowderState& before, const results::PowderState& after,
                        const RingSpace& ring);
 
-/// d, mean way of the grains that are in the ring at both instants; NaN without any.
+/// d, mean displacement of the grains that are in the ring at both instants; NaN without any.
 double mean_motion(const results::PowderState& before, const results::PowderState& after);
 
 }  // namespace diefill::process::laboratory

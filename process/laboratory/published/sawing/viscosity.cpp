@@ -98,7 +98,7 @@ class Shearing {
   ShearedSums sums_;
 };
 
-/// Of a run that nobody follows.
+/// Watch of a run that is not monitored.
 class Unwatched final : public CustomRunWatch {
  public:
   const std::filesystem::path& folder() const override { return folder_; }
