@@ -19,7 +19,7 @@ void FluidPolicy::move_tools(SimulationState& state) {
 double FluidPolicy::advance_block(SimulationState& state, std::size_t b) {
   const Block& block = state.list.blocks()[b];
   Grains& grains = state.grains;
-  const Eigen::Vector3d drifted = state.reference.drift * state.settings.time_step;
+  const Eigen::Vector3d drifted = state.reference.drift[0] * state.settings.time_step;
   // Solids move their particles, wherever forces would have taken these.
   std::vector<std::pair<std::size_t, Eigen::Vector3d>> solid;
   if (sets_.any())

@@ -28,6 +28,16 @@ class AdaptiveSkin {
     return std::max(0.5 * largest(), fixed_ > 0 ? 0 : std::min(kFarthest * radius_, room_));
   }
 
+  /// m, how far two groups of grains may drift past each other at most; 0 where grains are not to be grouped.
+  /// With largest_grouped_allowance() of two grains it is no more than grains of one group may approach, and
+  /// with that of one grain no more than wall spheres are searched for.
+  double largest_passing() const {
+    if (fixed_ > 0 || largest_grouped_allowance() < 0.5 * largest()) return 0;
+    return std::min(1.5 * largest_allowance(), 2 * room_ - 2 * largest_grouped_allowance());
+  }
+  /// m, farthest that a grain may move against the drift of its group.
+  double largest_grouped_allowance() const { return 0.5 * largest_allowance(); }
+
   /// Whether a list of `skin` (m) has lasted so many `steps` that a narrower one would be cheaper now.
   bool is_too_wide(double skin, std::uint64_t steps) const {
     return fixed_ <= 0 && skin > kSmallest * radius_ &&
@@ -45,17 +55,25 @@ class AdaptiveSkin {
     return std::clamp(skin * std::clamp(change, 0.5, 2.0), kSmallest * radius_, kLargest * radius_);
   }
 
+  /// m, how far something that moves by `step_length` (m) in a step comes in the steps that a list of `skin`
+  /// (m) should last, and some more.
+  double expected_displacement(double skin, double step_length) const {
+    return kSpare * step_length * kBalance * radius_ / skin;
+  }
+
   /// How often half the `skin` (m) is to be doubled for something that moves by `step_length` (m) in a step:
-  /// enough for the steps that a list of this skin should last.
-  std::uint8_t doublings(double skin, double step_length) const {
+  /// enough for its expected displacement, but not beyond `largest` (m).
+  std::uint8_t doublings(double skin, double step_length, double largest) const {
     if (fixed_ > 0) return 0;
-    const double expected = kSpare * step_length * kBalance * radius_ / skin;
+    const double expected = expected_displacement(skin, step_length);
     std::uint8_t count = 0;
     for (double allowance = 0.5 * skin;
-         count < kMaxDoublings && allowance < expected && 2 * allowance <= largest_allowance();
-         allowance *= 2)
+         count < kMaxDoublings && allowance < expected && 2 * allowance <= largest; allowance *= 2)
       ++count;
     return count;
+  }
+  std::uint8_t doublings(double skin, double step_length) const {
+    return doublings(skin, step_length, largest_allowance());
   }
 
  private:

@@ -84,7 +84,7 @@ NeighbourList::NeighbourList(const NeighbourSettings& settings, std::vector<std:
 void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody>& bodies,
                           const ListReference& reference, const ContactHistory& history,
                           const ContactHistory& wall_history, ThreadPool& pool) {
-  sort_into_cells(spheres, reference.skin, pool);
+  sort_into_cells(spheres, reference, pool);
   const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
   count_ = 0;
   cut_into_blocks(0, reference.awake_grains,
@@ -109,15 +109,23 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
   for (auto& level : levels_) level.cells = {};
 }
 
-void NeighbourList::sort_into_cells(const SphereField& spheres, double skin, ThreadPool& pool) {
-  const auto edge = [&](const SizeLevel& level) { return 2 * level.largest + settings_.law_range + skin; };
-  if (levels_.size() == 1 && spheres.equal_counts)
-    return levels_.front().cells.build(spheres, edge(levels_.front()), pool);
-  std::vector<std::vector<std::uint32_t>> members(levels_.size());
-  for (std::uint32_t j = 0; j < spheres.size(); ++j)
-    if (spheres.exists(j)) members[level_of_class_[spheres.class_of(j)]].push_back(j);
+void NeighbourList::sort_into_cells(const SphereField& spheres, const ListReference& reference,
+                                    ThreadPool& pool) {
+  const auto edge = [&](const SizeLevel& level) {
+    return 2 * level.largest + settings_.law_range + reference.skin;
+  };
+  const std::size_t groups = reference.groups();
+  if (levels_.size() == 1 && groups == 1 && spheres.equal_counts)
+    return levels_.front().cells[0].build(spheres, edge(levels_.front()), pool);
+  std::vector<std::array<std::vector<std::uint32_t>, 2>> members(levels_.size());
+  for (std::uint32_t j = 0; j < spheres.size(); ++j) {
+    if (!spheres.exists(j)) continue;
+    const std::size_t level = one_class() ? 0 : level_of_class_[spheres.class_of(j)];
+    members[level][reference.group_of(spheres.owner(j))].push_back(j);
+  }
   for (std::size_t l = 0; l < levels_.size(); ++l)
-    levels_[l].cells.build(spheres, std::move(members[l]), edge(levels_[l]), pool);
+    for (std::size_t group = 0; group < groups; ++group)
+      levels_[l].cells[group].build(spheres, std::move(members[l][group]), edge(levels_[l]), pool);
 }
 
 std::size_t NeighbourList::near_pairs() const {
@@ -187,10 +195,12 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
     const std::uint32_t grain = i / per_grain;
     const std::uint8_t swift = reference.doublings[grain];
     const double radius = settings_.sphere_radii[kMonodisperse ? 0 : spheres.class_of(i)];
-    for (const SizeLevel& level : levels_) {
+    const auto find = [&](const SizeLevel& level, std::size_t group) {
+      const double passing = group == reference.group_of(grain) ? 0 : reference.passing;
       const double touching = radius + level.largest + settings_.law_range;
-      const double farthest = touching + 2 * reference.allowance(grain);
-      level.cells.visit_nearer(here, farthest, workspace.candidates, [&](const SphereCells::Near& near) {
+      const double farthest = touching + passing + 2 * reference.allowance(grain);
+      const SphereCells& cells = level.cells[group];
+      cells.visit_nearer(here, farthest, workspace.candidates, [&](const SphereCells::Near& near) {
         // Every pair once: by the faster grain, which searches farther, else by the first; an image counts
         // for its owner.
         const auto [j, other] = near.member;
@@ -199,12 +209,14 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
         const double touching_now =
             kMonodisperse ? touching
                           : radius + settings_.sphere_radii[spheres.class_of(j)] + settings_.law_range;
-        const double reach = touching_now + reference.allowance(grain) + reference.allowance(other);
+        const double reach = touching_now + passing + reference.allowance(grain) + reference.allowance(other);
         if (near.square >= reach * reach) return;
         found.push_back({i, j});
         if (j < first || j >= end) block.partners.push_back(j);
       });
-    }
+    };
+    for (const SizeLevel& level : levels_)
+      for (std::size_t group = 0; group < reference.groups(); ++group) find(level, group);
   }
   sort_unique(block.partners);
   block.partners.shrink_to_fit();

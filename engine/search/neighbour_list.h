@@ -1,7 +1,9 @@
 // Which spheres may come to touch: near pairs with a skin, renewed when motion has used the skin up. Motion
-// is measured against that of the powder as a whole, so that powder riding in a shoe does not age its list.
+// is measured against the drift of the powder, so that powder in a moving shoe does not wear out its list.
+// Where part of the powder falls or moves with the shoe and the rest does not, each part has a drift.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -37,13 +39,26 @@ struct ListReference {
   std::vector<BodyMotion> bodies;
   double skin = 0;  ///< m, how much nearer two slow spheres may come before the list must be renewed
   std::vector<std::uint8_t> doublings;  ///< of grains: how often half the skin is doubled for swift ones
-  std::vector<double> body_allowance;   ///< m, how far each body may move
-  Eigen::Vector3d drift = Eigen::Vector3d::Zero();  ///< m/s, mean velocity of the powder
-  double time = 0;                                  ///< s
+  /// m, how far each body may move against the drift of the first group; then the same for the second, if
+  /// any.
+  std::vector<double> body_allowance;
+  /// m/s, mean velocity of each group of grains.
+  std::array<Eigen::Vector3d, 2> drift = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  std::vector<std::uint8_t> group;  ///< of grains, 0 or 1; empty where all are in one
+  double passing = 0;               ///< m, how far the two groups may drift past each other
+  double time = 0;                  ///< s
   std::uint64_t step = 0;
   std::uint64_t awake_grains = 0;  ///< those from here on slept: they get blocks of their own
 
-  /// m, how far grain k may move against the drift before the list must be renewed.
+  std::size_t groups() const { return group.empty() ? 1 : 2; }
+  std::size_t group_of(std::size_t k) const { return group.empty() ? 0 : group[k]; }
+  /// m/s, of the second group against the first.
+  double passing_speed() const { return group.empty() ? 0 : (drift[1] - drift[0]).norm(); }
+  /// m, how far body b may move against the drift of a group.
+  double allowance_of_body(std::size_t b, std::size_t its_group) const {
+    return body_allowance[its_group * bodies.size() + b];
+  }
+  /// m, how far grain k may move against the drift of its group before the list must be renewed.
   double allowance(std::size_t k) const { return allowance_of(doublings[k]); }
   /// m, the same of grains for which half the skin is doubled so often.
   double allowance_of(std::size_t often) const { return 0.5 * skin * static_cast<double>(1U << often); }
@@ -87,14 +102,15 @@ class NeighbourList {
 
  private:
   /// Spheres of similar size in cells that suit them: in cells for the largest, many small ones would have to
-  /// be passed by. Where all grains are of one size there is one.
+  /// be passed by. Where all grains are of one size there is one. Groups that drift past each other have
+  /// cells of their own: only near the other group a search must reach farther.
   struct SizeLevel {
     double largest = 0;  ///< m, sphere radius
-    SphereCells cells;
+    std::array<SphereCells, 2> cells;
   };
 
   bool one_class() const { return settings_.sphere_radii.size() == 1; }
-  void sort_into_cells(const SphereField& spheres, double skin, ThreadPool& pool);
+  void sort_into_cells(const SphereField& spheres, const ListReference& reference, ThreadPool& pool);
   void cut_into_blocks(std::size_t begin, std::size_t end, std::size_t grains_per_block);
   template <bool kMonodisperse>
   void find_grain_pairs(Block& block, const SphereField& spheres, const ListReference& reference,

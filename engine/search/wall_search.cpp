@@ -53,8 +53,8 @@ void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
           pose.rotation.transpose() * (eigen(spheres.position(sphere)) - pose.translation);
       find_parts(bodies[b], place,
                  radius_of(settings_, spheres, sphere) + bodies[b].sphere_radius() +
-                     (bodies[b].mirror() ? settings_.law_range : 0) + reference.body_allowance[b] +
-                     reference.allowance(grain),
+                     (bodies[b].mirror() ? settings_.law_range : 0) +
+                     reference.allowance_of_body(b, reference.group_of(grain)) + reference.allowance(grain),
                  workspace.found, parts);
       if (parts.empty()) continue;
       block.wall_runs.push_back(

@@ -37,8 +37,13 @@ void finish_block(SimulationState& state, std::size_t b) {
 
 double AllGrainsPolicy::advance_block(SimulationState& state, std::size_t b) {
   const Block& block = state.list.blocks()[b];
-  const Vector3 drifted = plain(Eigen::Vector3d(state.reference.drift * state.settings.time_step));
-  return state.integrator.advance(state.grains, block.begin, block.end, drifted, state.spheres);
+  const ListReference& reference = state.reference;
+  const double time_step = state.settings.time_step;
+  const std::size_t group = block.grains() > 0 ? reference.group_of(block.begin) : 0;
+  const Vector3 drifted = plain(Eigen::Vector3d(reference.drift[group] * time_step));
+  const double moved = state.integrator.advance(state.grains, block.begin, block.end, drifted, state.spheres);
+  // Grains of the other group have another drift.
+  return state.mixed_block[b] == 0 ? moved : moved + reference.passing_speed() * time_step;
 }
 
 void AllGrainsPolicy::compute_forces(SimulationState& state) {

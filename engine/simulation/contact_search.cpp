@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/numerics/out_of_range.h"
+#include "engine/search/drift_groups.h"
 #include "engine/search/spatial_order.h"
 #include "engine/simulation/sleep_rules.h"
 
@@ -58,21 +59,46 @@ NewOrder remember_contacts(SimulationState& state, StepPolicy& policy, std::vect
 void allow_motion(SimulationState& state) {
   ListReference& reference = state.reference;
   const Grains& grains = state.grains;
-  const auto doublings = [&](double speed) {
-    return state.skin.doublings(reference.skin, speed * state.settings.time_step);
-  };
-  const double rim = state.list.settings().farthest_sphere;
+  const AdaptiveSkin& skin = state.skin;
+  const double time_step = state.settings.time_step, rim = state.list.settings().farthest_sphere;
+  const bool grouped = reference.groups() > 1;
+  const double largest = grouped ? skin.largest_grouped_allowance() : skin.largest_allowance();
   reference.doublings.resize(grains.size());
-  for (std::size_t k = 0; k < grains.size(); ++k)
-    reference.doublings[k] =
-        doublings((grains.velocity[k] - reference.drift).norm() + rim * grains.spin[k].norm());
-  reference.body_allowance.resize(state.bodies.size());
-  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    const BodyMotion& motion = state.body_motion[b];
-    const double speed = (motion.velocity - reference.drift).norm() +
-                         state.bodies[b].extent() * motion.angular_velocity.norm();
-    reference.body_allowance[b] = reference.allowance_of(doublings(speed));
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    const double speed =
+        (grains.velocity[k] - reference.drift[reference.group_of(k)]).norm() + rim * grains.spin[k].norm();
+    reference.doublings[k] = skin.doublings(reference.skin, speed * time_step, largest);
   }
+  const double half = 0.5 * reference.skin;
+  const auto body_allowance = [&](double speed) {
+    if (!grouped) return reference.allowance_of(skin.doublings(reference.skin, speed * time_step));
+    return std::clamp(skin.expected_displacement(reference.skin, speed * time_step), half,
+                      std::max(half, skin.largest_passing()));
+  };
+  reference.body_allowance.clear();
+  for (std::size_t group = 0; group < reference.groups(); ++group)
+    for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+      const BodyMotion& motion = state.body_motion[b];
+      reference.body_allowance.push_back(
+          body_allowance((motion.velocity - reference.drift[group]).norm() +
+                         state.bodies[b].extent() * motion.angular_velocity.norm()));
+    }
+}
+
+/// Groups grains where this keeps them from being fast: where the groups would drift past each other by more
+/// than the skin.
+void group_grains(SimulationState& state) {
+  ListReference& reference = state.reference;
+  const AdaptiveSkin& skin = state.skin;
+  if (skin.largest_passing() <= 0 || state.settings.sleep) return;
+  auto groups = drift_groups(state.grains.velocity);
+  if (!groups) return;
+  const double passing =
+      skin.expected_displacement(reference.skin, groups->passing_speed() * state.settings.time_step);
+  if (passing < reference.skin) return;
+  reference.drift = groups->drift;
+  reference.group = std::move(groups->group);
+  reference.passing = std::min(passing, skin.largest_passing());
 }
 
 /// Takes down where all is now, of which the first `awake` grains move.
@@ -85,14 +111,17 @@ void remember_reference(SimulationState& state, std::size_t awake) {
   reference.time = state.time;
   reference.step = state.step;
   reference.awake_grains = awake;
-  reference.drift.setZero();
+  reference.drift = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  reference.group.clear();
+  reference.passing = 0;
   // Where grains sleep, motion is measured against them: they are never the swifter ones, so that every pair
   // of both kinds is an awake grain's.
   if (awake < grains.size()) {
-    reference.drift = carrier_motion(state).velocity;
+    reference.drift[0] = carrier_motion(state).velocity;
   } else if (awake > 0) {
-    for (const auto& velocity : grains.velocity) reference.drift += velocity;
-    reference.drift /= static_cast<double>(grains.size());
+    for (const auto& velocity : grains.velocity) reference.drift[0] += velocity;
+    reference.drift[0] /= static_cast<double>(grains.size());
+    group_grains(state);
   }
   allow_motion(state);
 }
@@ -111,8 +140,8 @@ void find_images(SimulationState& state, const ImageFinder& other) {
   if (!state.box.any()) return;
   // A grain on the border meets others whose centre is up to two grain radii and what both may move beyond
   // it.
-  const double margin =
-      2 * state.types.largest_grain() + state.grain_loop->range() + 2 * farthest_allowance(state.reference);
+  const double margin = 2 * state.types.largest_grain() + state.grain_loop->range() +
+                        2 * farthest_allowance(state.reference) + state.reference.passing;
   if (other) {
     other(state, margin);
   } else {
@@ -120,6 +149,17 @@ void find_images(SimulationState& state, const ImageFinder& other) {
       state.box.add_images(k, state.reference.position[k], margin, images);
   }
   images.shrink_to_fit();
+}
+
+/// Notes which blocks have grains of both groups.
+void note_mixed_blocks(SimulationState& state) {
+  const ListReference& reference = state.reference;
+  const auto& blocks = state.list.blocks();
+  state.mixed_block.assign(blocks.size(), 0);
+  if (reference.groups() == 1) return;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    for (std::size_t k = blocks[b].begin; k < blocks[b].end; ++k)
+      if (reference.group_of(k) != reference.group_of(blocks[b].begin)) state.mixed_block[b] = 1;
 }
 
 /// Notes how far every body stands from the powder, beyond what the list allows it to move.
@@ -130,11 +170,13 @@ void measure_clearances(SimulationState& state) {
   const double sphere_reach = state.types.largest_sphere() + farthest_allowance(state.reference);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const WallBody& body = state.bodies[b];
-    state.clearance[b] =
-        spheres.grains == 0 || !state.settings.skip_far_walls
-            ? 0
-            : clearance_of(body, state.reference.bodies[b], powder,
-                           sphere_reach + body.sphere_radius() + state.reference.body_allowance[b]);
+    double allowance = 0;
+    for (std::size_t group = 0; group < state.reference.groups(); ++group)
+      allowance = std::max(allowance, state.reference.allowance_of_body(b, group));
+    state.clearance[b] = spheres.grains == 0 || !state.settings.skip_far_walls
+                             ? 0
+                             : clearance_of(body, state.reference.bodies[b], powder,
+                                            sphere_reach + body.sphere_radius() + allowance);
   }
 }
 
@@ -195,6 +237,7 @@ void search_at_reference(SimulationState& state, const ContactHistories& histori
   state.list.build(spheres, state.bodies, reference, histories.grains, histories.walls, state.pool);
   state.tallies.resize(state.list.blocks().size());
   state.remaining_skin.assign(state.list.blocks().size(), 0);
+  note_mixed_blocks(state);
   measure_clearances(state);
   spheres.clear_cached_positions();
 }

@@ -53,6 +53,7 @@ struct SimulationState {
   ListReference reference;
   /// m a block, how much farther its spheres may surely move before the list is too old; 0: not known.
   std::vector<double> remaining_skin;
+  std::vector<std::uint8_t> mixed_block;  ///< of a block, whether it has grains of both groups of `reference`
   std::vector<double> clearance;  ///< m a body, how far it stood from the powder when contacts were searched
   std::vector<BlockTally> tallies;  ///< what each block did in the last step
 

@@ -16,10 +16,12 @@ namespace {
 double remaining_skin(const SimulationState& state, const Block& block) {
   const Grains& grains = state.grains;
   const ListReference& reference = state.reference;
-  const Vector3 drifted = plain(Eigen::Vector3d(reference.drift * (state.time - reference.time)));
+  const double elapsed = state.time - reference.time;
+  const std::array drifted = {plain(Eigen::Vector3d(reference.drift[0] * elapsed)),
+                              plain(Eigen::Vector3d(reference.drift[1] * elapsed))};
   const auto way = [&](std::size_t k) {
     prefetch<1>(k, reference.position);
-    return plain(grains.position[k]) - plain(reference.position[k]) - drifted;
+    return plain(grains.position[k]) - plain(reference.position[k]) - drifted[reference.group_of(k)];
   };
   double least = std::numeric_limits<double>::infinity();
   if (!state.types.clumps()) {
@@ -66,12 +68,16 @@ bool list_is_old(const SimulationState& state) {
     if (tally.list_is_old) return true;
   const ListReference& reference = state.reference;
   if (state.skin.is_too_wide(reference.skin, state.step - reference.step)) return true;
-  const Eigen::Vector3d drifted = reference.drift * (state.time - reference.time);
-  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    const BodyMotion &now = state.body_motion[b], &then = reference.bodies[b];
-    const double body_moved = (now.translation - then.translation - drifted).norm() +
-                              state.bodies[b].extent() * (now.rotation - then.rotation).norm();
-    if (body_moved > reference.body_allowance[b] + state.clearance[b]) return true;
+  const double elapsed = state.time - reference.time;
+  if (reference.passing_speed() * elapsed > reference.passing) return true;
+  for (std::size_t group = 0; group < reference.groups(); ++group) {
+    const Eigen::Vector3d drifted = reference.drift[group] * elapsed;
+    for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+      const BodyMotion &now = state.body_motion[b], &then = reference.bodies[b];
+      const double moved = (now.translation - then.translation - drifted).norm() +
+                           state.bodies[b].extent() * (now.rotation - then.rotation).norm();
+      if (moved > reference.allowance_of_body(b, group) + state.clearance[b]) return true;
+    }
   }
   return false;
 }

@@ -14,7 +14,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '1', '7'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '1', '8'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   engine::Fnv1a hash;

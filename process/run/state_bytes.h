@@ -25,6 +25,8 @@ void transfer_simulation(Io& io, State& simulation) {
   io(simulation.reference.orientation);
   io(simulation.reference.bodies);
   io(simulation.reference.drift);
+  io(simulation.reference.group);
+  io(simulation.reference.passing);
   io(simulation.reference.time);
   io(simulation.reference.step);
   io(simulation.reference.skin);
