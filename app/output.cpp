@@ -40,7 +40,8 @@ void require_directory(const std::filesystem::path& directory, const std::string
       throw process::SceneError(
           cannot_write(directory, place.string() + " is a file, not a directory", option));
     if (std::filesystem::is_symlink(std::filesystem::symlink_status(place, error)))
-      throw process::SceneError(cannot_write(directory, place.string() + " is a broken symbolic link", option));
+      throw process::SceneError(
+          cannot_write(directory, place.string() + " is a broken symbolic link", option));
   }
 }
 

@@ -154,7 +154,7 @@ void add_film(CLI::App& program, Action& chosen) {
   command->add_option("DIR", arguments->directories, "results directories of runs; one camera for all")
       ->required();
   command->add_flag("--turntable", arguments->turntable,
-                    "the end from all sides instead of the filling over time");
+                    "the final state from all sides instead of the filling over time");
   command->add_option("--out", arguments->out,
                       "film (default: film.mp4 or turntable.mp4 in DIR, where its report finds it)");
   command->add_option("--frames-per-second", arguments->frames_a_second, "speed of the film")

@@ -148,11 +148,12 @@ void print_density(const results::FillResult& result, const results::SolidMesh& 
   constexpr double kDifference = 0.05;
   const double expected = options.mesh_share * result.cavity.volume;
   if (expected > 0 && std::abs(density.total_volume / expected - 1) > kDifference)
-    std::fprintf(stderr,
-                 "diefill: the mesh has %.0f %% of the volume of %s (%.6g mm^3), but is assigned its whole mass; "
-                 "for a quarter model give --mesh-share 0.25\n",
-                 100 * density.total_volume / expected,
-                 options.mesh_share == 1 ? "the cavity" : "that share of the cavity", 1e9 * expected);
+    std::fprintf(
+        stderr,
+        "diefill: the mesh has %.0f %% of the volume of %s (%.6g mm^3), but is assigned its whole mass; "
+        "for a quarter model give --mesh-share 0.25\n",
+        100 * density.total_volume / expected,
+        options.mesh_share == 1 ? "the cavity" : "that share of the cavity", 1e9 * expected);
 }
 
 using Files = std::vector<std::filesystem::path>;

@@ -80,7 +80,7 @@ CLI::Option* add_setting(CLI::App& command, std::string& setting) {
 }
 
 void print_setting_choices(const process::Scene& scene) {
-  const auto chosen = process::chosen_in(scene.text);
+  const auto chosen = process::chosen_numbers_in(scene.text);
   for (std::size_t k = 0; k < chosen.size(); ++k)
     std::fprintf(stderr, k == 0 ? "%s:\n" : "  %s\n", chosen[k].c_str());
 }
@@ -134,7 +134,7 @@ std::vector<process::Variant> chosen_variants(const std::string& file, const std
   variants = process::plan::with_setting(std::move(variants), process::setting_named(setting));
   std::vector<std::string> said;
   for (const auto& variant : variants) {
-    const auto chosen = process::chosen_in(variant.scene.text);
+    const auto chosen = process::chosen_numbers_in(variant.scene.text);
     if (chosen == said) continue;
     std::fprintf(stderr, "from \"%s\" on, ", variant.name.c_str());
     print_setting_choices(variant.scene);

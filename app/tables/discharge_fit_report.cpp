@@ -55,10 +55,10 @@ std::string unit_remark(const continuum::DischargeFit& fit) {
                                   fit.largest_x)
           : factor;
   if ((factor >= least && factor <= most) || (at_end >= least && at_end <= most)) return {};
-  return name + (" = " + results::in_significant_digits(factor, 3)) + " is outside the range known for powders, " +
-         process::number_text(least) + " to " + process::number_text(most) +
-         ": check the units of density, " + (is_rate(fit.law) ? "rate" : "mass") +
-         " and width, in the heading of the table and in the options";
+  return name + (" = " + results::in_significant_digits(factor, 3)) +
+         " is outside the range known for powders, " + process::number_text(least) + " to " +
+         process::number_text(most) + ": check the units of density, " +
+         (is_rate(fit.law) ? "rate" : "mass") + " and width, in the heading of the table and in the options";
 }
 
 /// Whether the mass rises in the last fifth of the time by less than a quarter of its mean rate.
@@ -107,7 +107,8 @@ std::vector<std::string> remarks(const continuum::DischargeFit& fit) {
         "rate; the fit holds where it was measured and not beyond");
   if (fit.used.front().error > 0 && fit.fit.chi_square_per_freedom > kMisfit)
     said.emplace_back(
-        "the points deviate from the fit by far more than their errors: this law does not describe them; try another");
+        "the points deviate from the fit by far more than their errors: this law does not describe them; try "
+        "another");
   for (std::size_t k = 0; k < fit.names.size(); ++k)
     if (const double share = deviation(fit, k) / std::abs(fit.fit.numbers[static_cast<Eigen::Index>(k)]);
         share > kVague)

@@ -112,10 +112,11 @@ void print_error_sources(const plan::Plan& plan) {
       said.push_back(line);
       std::printf("expected error of the %s\n", line.c_str());
     }
-  std::printf(said.empty()
-                  ? "expected errors are not known here: the grain diameter over the narrowest width is outside the "
-                    "range of the reference runs, or there is no cavity\n"
-                  : "expected errors are those of the grain size, +- the scatter of one run over seeds\n");
+  std::printf(
+      said.empty()
+          ? "expected errors are not known here: the grain diameter over the narrowest width is outside the "
+            "range of the reference runs, or there is no cavity\n"
+          : "expected errors are those of the grain size, +- the scatter of one run over seeds\n");
 }
 
 void print_sources(const plan::Plan& plan) {

@@ -77,7 +77,7 @@ void check_encoding(const std::string& name, const std::string& bytes) {
 }
 
 void refuse_count(const std::string& name, std::uint64_t count, const std::string& what, std::size_t bytes) {
-  throw MeshError(name + " is truncated: its header announces " + std::to_string(count) + " " + what +
+  throw MeshError(name + " is truncated: its header declares " + std::to_string(count) + " " + what +
                   ", more than its " + std::to_string(bytes) + " bytes can hold; export or copy it again");
 }
 
@@ -174,7 +174,7 @@ void check_off(const std::string& name, const std::string& bytes) {
   check_off_faces(name, bytes);
 }
 
-/// The bytes a binary STL file announces, or the closing word of a text, must be there.
+/// The bytes a binary STL file declares, or the closing word of a text, must be there.
 void check_stl(const std::string& name, const std::string& bytes) {
   if (is_text_stl(bytes)) {
     if (lower_case(bytes).find("endsolid") == std::string::npos)
@@ -201,7 +201,7 @@ void check_stl(const std::string& name, const std::string& bytes) {
                     "; export the part again, as a solid");
   const std::size_t expected = kStlHeader + kStlTriangle * triangles;
   if (bytes.size() < expected)
-    throw MeshError(name + " is truncated: its header announces " + std::to_string(triangles) +
+    throw MeshError(name + " is truncated: its header declares " + std::to_string(triangles) +
                     " triangles (" + std::to_string(expected) + " bytes), but the file has " +
                     std::to_string(bytes.size()) + " bytes; export or copy it again");
 }

@@ -128,13 +128,13 @@ CalibrationPlan read_calibration(const std::filesystem::path& file) {
 Scene scene_at(const CalibrationPlan& plan, const MeasurementRun& run, const std::vector<double>& place,
                const std::string& set) {
   SceneChanges changes;
-  changes.called = plan.file.string() + ": set and parameters";
+  changes.source = plan.file.string() + ": set and parameters";
   changes.set = run.set + (run.set.empty() || run.set.back() == '\n' ? "" : "\n");
   for (std::size_t k = 0; k < place.size(); ++k) changes.set += plan.parameters[k].assignment(place[k]);
   const Scene scene = changed_scene(run.text, run.file, changes);
   if (set.empty()) return scene;
   SceneChanges last;
-  last.called = plan.file.string() + ": check.grain_diameter";
+  last.source = plan.file.string() + ": check.grain_diameter";
   last.set = set;
   return changed_scene(scene.text, run.file, last);
 }

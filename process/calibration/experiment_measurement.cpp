@@ -115,7 +115,7 @@ std::vector<MeasurementRun> runs_of(const LabQuantity& quantity, const LabPlan& 
     const laboratory::LabRun& run = *scene_run(plan, name);
     const std::filesystem::path file = setting.scenes / run.scene;
     SceneChanges changes = run.changes;
-    changes.called = "experiment \"" + name + '"';
+    changes.source = "experiment \"" + name + '"';
     const Scene scene = changed_scene(with_starting_powder(file, setting.powder), file, changes);
     runs.push_back({with_starting_powder(scene.text, file, {}), file, set});
   }

@@ -73,7 +73,7 @@ std::string assignments(const PowderRegion& region, const std::vector<double>& v
 Scene as_fitted(const Scene& scene, const Scene& sample) {
   if (!fitted_with_warning(scene).empty() || fitted_with_warning(sample).empty()) return sample;
   SceneChanges changes;
-  changes.called = "--powder-samples";
+  changes.source = "--powder-samples";
   changes.set = fitted_with_text(fitted_with_of(sample, ""));
   return changed_scene(sample.text, sample.file, changes);
 }
@@ -81,7 +81,7 @@ Scene as_fitted(const Scene& scene, const Scene& sample) {
 Variant variant_of(const Scene& scene, const std::string& name, const std::string& folder,
                    const std::string& set, int seeds_later) {
   SceneChanges changes;
-  changes.called = "--powder-samples";
+  changes.source = "--powder-samples";
   changes.set = set;
   Variant variant{name, folder, as_fitted(scene, changed_scene(scene.text, scene.file, changes))};
   variant.scene.seed = scene.seed + static_cast<std::uint64_t>(seeds_later);

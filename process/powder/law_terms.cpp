@@ -12,10 +12,10 @@ namespace {
 /// A part of the laws of [contact], once where grains and tools have the same.
 void add_part(const PartDescription& grains, const PartDescription& walls, LawTerms& terms) {
   const auto add = [&](const PartDescription& part, const std::string& where) {
-    const bool none = part.words == "none";
-    (none ? terms.left_out : terms.used).push_back(part.kind + where + (none ? "" : " " + part.words));
+    const bool none = part.text == "none";
+    (none ? terms.left_out : terms.used).push_back(part.kind + where + (none ? "" : " " + part.text));
   };
-  if (grains.words == walls.words) return add(grains, "");
+  if (grains.text == walls.text) return add(grains, "");
   add(grains, " among grains");
   add(walls, " with tools");
 }
@@ -34,8 +34,8 @@ LawTerms law_terms(const Scene& scene, const engine::SimulationSettings& setting
   LawTerms terms;
   const auto& contact = scene.contact;
   if (contact)
-    for (std::size_t k = 0; k < contact->grains.words.size(); ++k)
-      add_part(contact->grains.words[k], contact->walls.words[k], terms);
+    for (std::size_t k = 0; k < contact->grains.parts.size(); ++k)
+      add_part(contact->grains.parts[k], contact->walls.parts[k], terms);
   const auto term = [&](const std::string& name, bool used) {
     (used ? terms.used : terms.left_out).push_back(name);
   };

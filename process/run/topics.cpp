@@ -70,11 +70,11 @@ results::Topic powder_topic(const Scene& scene) {
 
 /// The laws of [contact], at the powder's own size.
 void add_named_laws(const ContactSpec& contact, results::Topic& topic) {
-  for (std::size_t k = 0; k < contact.grains.words.size(); ++k) {
-    const PartDescription &grains = contact.grains.words[k], &walls = contact.walls.words[k];
+  for (std::size_t k = 0; k < contact.grains.parts.size(); ++k) {
+    const PartDescription &grains = contact.grains.parts[k], &walls = contact.walls.parts[k];
     std::string name = grains.kind == "normal" ? "Normal force" : grains.kind;
     name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-    state(topic, name, grains.words + (walls.words == grains.words ? "" : "; with tools " + walls.words));
+    state(topic, name, grains.text + (walls.text == grains.text ? "" : "; with tools " + walls.text));
   }
 }
 
@@ -191,7 +191,7 @@ results::Topic assumptions_topic(const Scene& scene, const engine::SimulationSet
 
 /// What a setting chose; nothing for a scene that gives its own numbers.
 void add_setting_topic(const Scene& scene, std::vector<results::Topic>& topics) {
-  const auto chosen = chosen_in(scene.text);
+  const auto chosen = chosen_numbers_in(scene.text);
   if (chosen.empty()) return;
   results::Topic topic{"setting", {}, {}};
   state(topic, "Chosen by", chosen.front());

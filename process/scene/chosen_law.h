@@ -1,4 +1,4 @@
-// The law of one pair of materials as a scene chose it: its five parts, each from the most particular table
+// The law of one pair of materials as a scene chose it: its five parts, each from the most specific table
 // that names it.
 #pragma once
 
@@ -25,7 +25,7 @@ struct ChosenPart {
   PartDescription description(const std::string& kind) const { return {kind, part->description(parameters)}; }
 };
 
-/// Tables that may name the parts of a law, the most particular one first, [contact] last.
+/// Tables that may name the parts of a law, the most specific one first, [contact] last.
 using ContactTables = std::vector<TableReader*>;
 
 /// The five parts of one law.

@@ -14,14 +14,14 @@ namespace diefill::process {
 
 /// One part of a law, for reports.
 struct PartDescription {
-  std::string kind;   ///< such as "damping"
-  std::string words;  ///< such as "restitution (restitution 0.5)"; "none"
+  std::string kind;  ///< such as "damping"
+  std::string text;  ///< such as "restitution (restitution 0.5)"; "none"
 };
 
 /// The law of one pair of materials.
 struct PairLawSpec {
   engine::laws::LawParameters law;     ///< at the powder's own grain size, SI units
-  std::vector<PartDescription> words;  ///< normal, damping, friction, rolling, attraction
+  std::vector<PartDescription> parts;  ///< normal, damping, friction, rolling, attraction
 };
 
 /// The default rule of coarse graining (Bierwisch 2009, chapter 3), the first of

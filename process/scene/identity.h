@@ -16,9 +16,9 @@ namespace diefill::process {
 /// messages. Throws SceneError for text that is not TOML.
 toml::table relevant_document(const std::string& text, const std::filesystem::path& file);
 
-/// Number that two scenes share if they ask for the same computation with the same files: hash of the acting
-/// text, of `tool_hashes` (the tools' CAD files, tool by tool) and of the files that it refers to as they are
-/// now (`file` resolves their paths). Throws SceneError for text that is not TOML.
+/// Number that two scenes share if they ask for the same computation with the same files: hash of the text
+/// that affects the computation, of `tool_hashes` (the tools' CAD files, tool by tool) and of the files that
+/// it refers to as they are now (`file` resolves their paths). Throws SceneError for text that is not TOML.
 std::uint64_t scene_identity(const std::string& text, const std::filesystem::path& file,
                              const std::vector<std::string>& tool_hashes);
 

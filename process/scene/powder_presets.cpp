@@ -23,7 +23,8 @@ constexpr const char* kFlow = "flow through slits and openings";
 
 // Bierwisch 2009, Table 4.2; Distaloy AE from section 6.1 (Table C.6: w/R = 63.8 J/m^3). Uses and limits:
 // sections 4.1.4 to 4.1.7 (heaps, settled solid fraction, ring fillings) and README.md, "How far to trust
-// it". In the order in which they are suggested: what fills dies first, what stacks into vertical columns last.
+// it". In the order in which they are suggested: what fills dies first, what stacks into vertical columns
+// last.
 constexpr std::array<Preset, 11> kPresets = {{
     {"Distaloy AE", GrainModel::D, 1.0, 5.0e-3, 0, "filling of a narrow ring", "filling of dies by a shoe",
      "no apparent density published; set powder.apparent_density to your measured value"},
@@ -111,7 +112,8 @@ double preset_solid_density(const PowderSpec& powder) {
 std::string preset_warning(const PowderSpec& powder) {
   if (powder.name != kTowers || powder.model != GrainModel::A) return {};
   return std::string("preset \"") + kTowers +
-         "\" is not suitable for die filling: its grains stack into vertical columns; use \"ASC100.29 D2\" (diefill "
+         "\" is not suitable for die filling: its grains stack into vertical columns; use \"ASC100.29 D2\" "
+         "(diefill "
          "powders lists the use of each preset)";
 }
 

@@ -36,7 +36,7 @@ struct WallSpec {
   WallKind kind = WallKind::spheres;
   MeshContactRadius contact_radius = MeshContactRadius::flat;
   double sphere_radius = 1.5e-4;  ///< m, R_w
-  double spacing = 1.6;           ///< over R_w; holds grains up to 15 m/s (engine/STABILITY.md, walls)
+  double spacing = 1.6;           ///< over R_w; no grain passes at up to 15 m/s (engine/STABILITY.md, walls)
   double friction = 0.15;         ///< mu_w
   double work_of_adhesion = 0;    ///< J/m^2, w_w
 };
@@ -56,7 +56,8 @@ struct PourSpec {
   double solid_fraction =
       0;  ///< estimate of the settled solid fraction, sets the number of grains; 0: from the preset
   double rim_speed = 0.05;  ///< m/s of the initial random spin
-  /// Over d; 0: 1.2, or wider so that the lattice is at most a tenth solid (Bierwisch 2009, section 3.2.1).
+  /// Over d; 0: 1.2, or wider so that the solid fraction of the lattice is at most 0.1 (Bierwisch 2009,
+  /// section 3.2.1).
   double lattice_constant = 0;
   double random_offset = 0.1;     ///< over d, uniform in +- per axis
   bool around_tools = false;      ///< places that a tool takes up are left out

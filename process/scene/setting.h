@@ -30,6 +30,6 @@ std::optional<Setting> setting_of(const Scene& scene);
 /// Comment lines at the top of a scene whose numbers were chosen: the source of the choice, then what.
 std::string as_comment(const std::vector<std::string>& chosen);
 /// The same read from a scene's text; empty where nothing was chosen.
-std::vector<std::string> chosen_in(const std::string& text);
+std::vector<std::string> chosen_numbers_in(const std::string& text);
 
 }  // namespace diefill::process

@@ -212,7 +212,7 @@ Scene changed_scene(const std::string& text, const std::filesystem::path& file, 
   document.erase("variant");
   for (const std::string& key : changes.without) take_out(document, words_of(key, file));
   for (const std::string& layer : {changes.under, changes.set}) {
-    toml::table laid = parse_changes(layer, changes.called);
+    toml::table laid = parse_changes(layer, changes.source);
     merge(document, laid, file, "");
   }
   return scene_of(document, scene_text_of(document), file);
@@ -249,7 +249,7 @@ std::string scene_text_with(const Scene& scene, std::uint64_t seed,
   if (const auto state = document["pour"]["state"].value<std::string>())
     document["pour"].as_table()->insert_or_assign(
         "state", std::filesystem::absolute(scene.file.parent_path() / *state).lexically_normal().string());
-  return as_comment(chosen_in(scene.text)) + scene_text_of(document);
+  return as_comment(chosen_numbers_in(scene.text)) + scene_text_of(document);
 }
 
 }  // namespace diefill::process

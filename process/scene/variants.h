@@ -32,13 +32,13 @@ struct SceneChanges {
   std::string set;  ///< TOML, such as `step.1.velocity = "0.1 m/s"`, a key a line
   std::vector<std::string>
       without;                   ///< keys of the file that are taken out first, such as "numerics.time_step"
-  std::string called = "--set";  ///< where `set` comes from, for messages
+  std::string source = "--set";  ///< where `set` comes from, for messages
   std::string under = {};        ///< TOML laid over the file before `set`, which may give a key of it again
 };
 
 /// The scene in `text` (`file` stands in messages and resolves relative paths) with the changes, read and
 /// checked in full; its variants are ignored. Its `text` is a scene file of its own. Throws SceneError;
-/// faults of the changes name `changes.called` and which line of `changes.set` it is.
+/// faults of the changes name `changes.source` and which line of `changes.set` it is.
 Scene changed_scene(const std::string& text, const std::filesystem::path& file, const SceneChanges& changes);
 
 /// What the text has at `key`, a path such as `step.1.velocity` or `tool."core rod".position`, as the user

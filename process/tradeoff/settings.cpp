@@ -47,7 +47,7 @@ int finer_than_base(const Scene& scene, const std::vector<std::pair<Knob, std::s
 
 SceneChanges changes_of(const Scene& scene, const std::vector<std::pair<Knob, std::string>>& turned) {
   SceneChanges all;
-  all.called = "--vary";
+  all.source = "--vary";
   for (const auto& [knob, value] : turned) {
     const SceneChanges changes = knob.changes(scene, value);
     all.set += changes.set;

@@ -136,7 +136,7 @@ std::vector<LegendEntry> legend_of(const Tradeoff& tradeoff) {
   };
   entries.insert(entries.end(), always.begin(), always.end());
   if (any([](const TradeoffPoint& point) { return !point.beyond.empty(); }))
-    entries.push_back(mark_entry(QStringLiteral("off in some quantity"), off));
+    entries.push_back(mark_entry(QStringLiteral("error above limit"), off));
   if (any([](const TradeoffPoint& point) { return failed_with_a_seed(point); }))
     entries.push_back(mark_entry(QStringLiteral("failed with a seed"), failed));
   if (tradeoff.floor > 0)

@@ -60,7 +60,7 @@ class SilentVtk {
   vtkSmartPointer<vtkOutputWindow> before_;
 };
 
-/// Throws std::invalid_argument where the file announces more points or cells than it can hold, for which VTK
+/// Throws std::invalid_argument where the file declares more points or cells than it can hold, for which VTK
 /// would ask for the memory.
 void refuse_excessive_counts(const std::filesystem::path& file) {
   constexpr std::size_t kHead = 65536;  // bytes; the counts stand before the data
@@ -76,7 +76,7 @@ void refuse_excessive_counts(const std::filesystem::path& file) {
     if (place == std::string::npos) continue;
     const double count = std::strtod(head.c_str() + place + key.size(), nullptr);
     if (count > kMaxPerByte * bytes)
-      throw std::invalid_argument("announces " +
+      throw std::invalid_argument("declares " +
                                   head.substr(place, head.find('"', place + key.size()) - place + 1) +
                                   ", more than its " + std::to_string(static_cast<long long>(bytes)) +
                                   " bytes can hold; it may be cut short or damaged: write it again");
@@ -109,7 +109,7 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_in(const std::filesystem::path& file) 
     reader->Update();
   } catch (const std::bad_alloc&) {
     throw std::invalid_argument(
-        "announces more data than there is memory for; it may be damaged: write it again");
+        "declares more data than there is memory for; it may be damaged: write it again");
   }
   if (!complaint.empty() || reader->GetErrorCode() != 0)
     throw std::invalid_argument("VTK cannot read it; it may be cut short or damaged: write it again");

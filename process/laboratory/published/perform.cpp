@@ -25,7 +25,7 @@ std::vector<Variant> variants_of(const LabPlan& plan, const LabSetting& setting)
   for (std::size_t k = 0; k < plan.runs.size(); ++k) {
     const fs::path file = setting.scenes / plan.runs[k].scene;
     SceneChanges changes = plan.runs[k].changes;
-    changes.called = "experiment \"" + names[k] + '"';
+    changes.source = "experiment \"" + names[k] + '"';
     variants.push_back({names[k], folders[k], changed_scene(load_scene_text(file), file, changes)});
   }
   return variants;

@@ -24,8 +24,8 @@ void check_kinds(const ParticleTypes& kinds, const std::vector<std::uint8_t>& ki
     throw ResultError("the spheres of particle types do not add up to the lists of centres and radii");
   for (const std::uint8_t number : kind)
     if (number >= count)
-      throw ResultError("a grain is of kind " + std::to_string(number) + ", but there are " +
-                        std::to_string(count) + " kinds, counted from 0");
+      throw ResultError("a grain is of type " + std::to_string(number) + ", but there are " +
+                        std::to_string(count) + " types, counted from 0");
 }
 
 void check_spheres(const PowderState& powder) {

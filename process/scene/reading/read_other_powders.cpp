@@ -123,11 +123,10 @@ void check_scaling(TableReader& document, const Scene& scene) {
     const double its = coarse_graining_factor(other.powder);
     if (std::abs(its / factor - 1) > 1e-6)
       document.table("contact")->reject(
-          "coarse_graining",
-          "this rule scales all forces by one factor, but grains of \"" + scene.powder.label +
-              "\" are enlarged " + number_text(factor) + " times and those of \"" + other.powder.label +
-              "\" " + number_text(its) +
-              " times; make the two equal by grain_diameter or choose \"bierwisch\"");
+          "coarse_graining", "this rule scales all forces by one factor, but grains of \"" +
+                                 scene.powder.label + "\" are enlarged " + number_text(factor) +
+                                 " times and those of \"" + other.powder.label + "\" " + number_text(its) +
+                                 " times; make the two equal by grain_diameter or choose \"bierwisch\"");
   }
 }
 

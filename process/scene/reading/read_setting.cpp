@@ -67,7 +67,7 @@ std::string as_comment(const std::vector<std::string>& chosen) {
   return text;
 }
 
-std::vector<std::string> chosen_in(const std::string& text) {
+std::vector<std::string> chosen_numbers_in(const std::string& text) {
   std::istringstream lines(text);
   std::vector<std::string> chosen;
   for (std::string line; std::getline(lines, line);) {

@@ -91,7 +91,7 @@ TEST(MeshImport, SaysWhatIsWrongWithAFile) {
   expect_error(directory.write("part.sldprt", "anything"), "unsupported format 'sldprt'");
   expect_error(directory.write("noextension", box), "unsupported format ''");
   expect_error(directory.write("short.stl", box.substr(0, box.size() - 7)),
-               "announces 12 triangles (684 bytes)");
+               "declares 12 triangles (684 bytes)");
   expect_error(directory.write("header.stl", box.substr(0, 40) + std::string("\0", 1)), "truncated");
   expect_error(directory.write("cut_text.stl", text.substr(0, text.size() / 2)), "endsolid");
   expect_error(directory.write("none.stl", box.substr(0, 80) + std::string(4, '\0')), "none.stl");

@@ -86,7 +86,7 @@ TEST_F(Experiments, KeepWhatTheyVaryWhereTheStartingPowderIsAScene) {
   for (const char* tool : {"die.stl", "shoe.stl"}) folder_.write(tool, "");
   support::SceneTables scene;
   scene.powder = "preset = \"ASC100.29 D2\"\nfriction = 0.42\nreduced_modulus = \"5 MPa\"\n";
-  scene.walls = "sphere_radius = \"0.15 mm\"\nspacing = 2.4\nfriction = 0.31\n";
+  scene.walls = "sphere_radius = \"0.15 mm\"\nspacing = 1.6\nfriction = 0.31\n";
   folder_.write("powder.toml", support::scene_text(scene));
   expect_varied_values();
   EXPECT_EQ(scene_of(read("mean_fractions", "settled"))["walls"]["friction"].value<double>(), 0.31);

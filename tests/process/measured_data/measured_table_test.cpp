@@ -79,8 +79,8 @@ TEST_F(MeasuredCsv, EachFaultIsNamedInOneLineWithItsLine) {
   EXPECT_EQ(complaint(head + "0.2,2,1\n0.2,3,1\n"),
             "data.csv:3: this place is given twice; give each place once, with the mean of its values");
   EXPECT_EQ(complaint(head + "0.2,2,1\n0.3,2,0\n"),
-            "data.csv:3: the standard deviation is 0, allowed: more than 0; give what repeated measurements "
-            "scatter by");
+            "data.csv:3: the standard deviation is 0, allowed: more than 0; give the standard "
+            "deviation of repeated measurements");
   EXPECT_NE(complaint(head + "0.2,2,-1\n").find("allowed: more than 0"), std::string::npos);
   EXPECT_EQ(complaint(head + "0.2,two,1\n"),
             "data.csv:2:5: found \"two\", expected a number with a decimal point");

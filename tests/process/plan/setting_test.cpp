@@ -76,7 +76,7 @@ TEST(PlanSetting, NumbersAreWrittenIntoTheSceneAndSaid) {
   EXPECT_NE(scene.text.find("0.47 mm"), std::string::npos) << scene.text;
   ASSERT_TRUE(scene.numerics.time_step);
   EXPECT_NEAR(*scene.numerics.time_step, 2e-6, 1e-15);
-  const auto chosen = chosen_in(scene.text);
+  const auto chosen = chosen_numbers_in(scene.text);
   ASSERT_EQ(chosen.size(), 3U);
   EXPECT_EQ(chosen[0], "setting reference");
   EXPECT_NE(chosen[1].find("powder.grain_diameter"), std::string::npos);
@@ -114,7 +114,7 @@ TEST(PlanSetting, AllPowdersBecomeCoarserByTheSameFactor) {
   EXPECT_NEAR(scene.powder.grain_diameter, 0.94e-3, 2e-6);
   ASSERT_EQ(scene.other_powders.size(), 1U);
   EXPECT_NEAR(scene.other_powders[0].powder.grain_diameter, 0.705e-3, 3e-6);
-  const auto chosen = chosen_in(scene.text);
+  const auto chosen = chosen_numbers_in(scene.text);
   EXPECT_TRUE(std::any_of(chosen.begin(), chosen.end(), [](const std::string& line) {
     return line.find("other_powder.copper.grain_diameter") != std::string::npos;
   })) << scene.text;

@@ -154,7 +154,8 @@ TEST(GrainsFile, GrainsInEachOtherAreRefusedWithTheirLines) {
     return "";
   };
   EXPECT_TRUE(message({0, 0, 0}, 1e-3).starts_with("grains.csv:7: this grain overlaps that of line 2"));
-  EXPECT_TRUE(message({1.6e-3, 1e-4, 0}, 1e-3).starts_with("grains.csv:7: this grain overlaps that of line 3"));
+  EXPECT_TRUE(
+      message({1.6e-3, 1e-4, 0}, 1e-3).starts_with("grains.csv:7: this grain overlaps that of line 3"));
   EXPECT_NE(message({0, -9.4e-4, 0}, 1e-4), "");  // a small one in a large one
   EXPECT_NE(message({0, 1.07e-3, 1e-5}, 1e-4), "");
   EXPECT_EQ(message({0, 0, 5e-2}, 1e-3), "");

@@ -52,7 +52,7 @@ TEST(SceneChanges, FaultsNameTheOptionAndNotTheFile) {
     try {
       SceneChanges changes;
       changes.set = set;
-      changes.called = called;
+      changes.source = called;
       changed_scene(faultless_scene(), file, changes);
     } catch (const SceneError& error) {
       return error.what();

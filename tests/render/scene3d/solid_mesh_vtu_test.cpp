@@ -67,7 +67,7 @@ TEST(SolidMeshVtu, MorePointsThanTheFileCanHoldAreRefusedInOneLine) {
   folder.write("a.vtu", text.replace(text.find(points), points.size(), "NumberOfPoints=\"99999999999\""));
   testing::internal::CaptureStderr();
   const std::string message = refusal(file);
-  EXPECT_EQ(message.find("announces NumberOfPoints=\"99999999999\", more than its "), 0U) << message;
+  EXPECT_EQ(message.find("declares NumberOfPoints=\"99999999999\", more than its "), 0U) << message;
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
