@@ -288,7 +288,7 @@ std::string refusal(const SimulationSettings& settings, const WallBodySpec& wall
 
 TEST(MixRefusals, NameWhatIsWrong) {
   const auto good = settings_of(mix_of({1, 0.5}, rough(), rough(), rough()), 1e-7);
-  EXPECT_NE(refusal(good, steel_floor()).find("kind 7, but there are 2"), std::string::npos);
+  EXPECT_NE(refusal(good, steel_floor()).find("type 7, but there are 2"), std::string::npos);
 
   auto bad = good;
   bad.types[1].shape.sphere_offsets.clear();
