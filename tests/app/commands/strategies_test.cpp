@@ -113,6 +113,9 @@ TEST(Strategies, GoOnAfterAKillAsIfNothingHadHappened) {
 
 TEST(Strategies, AnOpenPunchSucksThePowderIn) {
   const SmallDie die;
+  // Grains of 1 mm arch over the 4 mm with one seed of four.
+  die.exchange("grain_diameter = \"1 mm\"", "grain_diameter = \"0.75 mm\"");
+  die.exchange("sphere_radius = \"0.25 mm\"", "sphere_radius = \"0.2 mm\"");
   die.write("die.stl", cad::binary_stl(cad::tube(cad::rectangle(-15, 6, -3.5, 3.5),
                                                  cad::rectangle(-5, -1, -2, 2), -5, 0)));
   die.exchange("[\"3 mm\", \"0 mm\", \"0 mm\"]", "[\"-3 mm\", \"0 mm\", \"0 mm\"]");
