@@ -47,11 +47,11 @@ void expect_same_filling(const std::string& lines, int seeds = 4) {
 }
 
 TEST(Economy, SleepFillsThePocketAsWell) {
-  expect_same_filling("sleep = true", 12);
+  expect_same_filling("sleep = true", 20);
 }
 
 TEST(Economy, ComovingPowderFillsThePocketAsWell) {
-  expect_same_filling("carry_beyond = \"2 mm\"", 12);
+  expect_same_filling("carry_beyond = \"2 mm\"", 20);
 }
 
 TEST(Economy, SpilledGrainsThatAreKeptChangeNoFilling) {
