@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "process/run/check_intervals.h"
+
 namespace diefill::process::cluster {
 
 namespace {
@@ -13,8 +15,8 @@ constexpr double kBytesOfSphere = 9 * 8, kBytesOfClump = 13 * 8;
 constexpr double kLayer = 1.2;
 /// Neighbours of a rank in space, and messages with each: both state and, of clumps, orientations.
 constexpr double kNeighbours = 26;
-/// Bytes a grain to rank 0 and its part in the step, where grains are shown every 20 steps.
-constexpr double kShown = 20 * 8, kShownEvery = 20;
+/// Bytes a grain to rank 0, and the steps between two such messages.
+constexpr double kShown = 20 * 8, kShownEvery = kSpillInterval;
 constexpr double kMaxGrains = 1e9;
 
 }  // namespace

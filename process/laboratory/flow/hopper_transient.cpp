@@ -1,5 +1,5 @@
 // Discharge from the opening of the slit on (Bierwisch 2009, section 5.2.1): powder that has run out of
-// hoppers with slits of three widths over time, Eq. 5.15 fitted to all of them together, and the steady rate.
+// hoppers with slits of two widths over time, Eq. 5.15 fitted to all of them together, and the steady rate.
 #include "process/laboratory/flow/hopper_transient.h"
 
 #include <algorithm>
