@@ -22,7 +22,7 @@ TEST(Film, DrawsEveryInstantAndTheEnd) {
   const SmallDie die;
   ASSERT_EQ(run_with_instants(die).exit_code, 0);
   const Outcome outcome = run_program({"film", die.out().string(), "--keep-frames", "--width", "400",
-                                       "--tools", "hidden", "--colour-by", "speed", "--jobs", "2"});
+                                       "--tools", "translucent", "--colour-by", "speed", "--jobs", "2"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto frames = SmallDie::files_in(die.out() / "film_frames");
   ASSERT_GT(frames.size(), 5U);
