@@ -203,7 +203,7 @@ class HoleCloser {
   void evaluate(SampleResult& result, HoleFinder& holes) const {
     try {
       result.place = holes.below(result.sample);
-      result.hole = holes.find(result.sample, *result.place, allowed_).distance >= allowed_;
+      result.hole = result.place && holes.find(result.sample, *result.place, allowed_).distance >= allowed_;
     } catch (const MeshError&) {
       result.too_thin = true;
     }
@@ -220,8 +220,8 @@ class HoleCloser {
     const bool changed = result.place && since_check_.affects(result.sample, *result.place);
     if (!changed && !result.hole && !result.too_thin) return;
     if ((changed || result.too_thin) && holes_.covered(result.sample, allowed_)) return;
-    close(result.sample, result.facet,
-          result.place ? *result.place : holes_.below(result.sample));  // throws if too thin
+    const auto place = result.place ? result.place : holes_.below(result.sample);  // throws if too thin
+    if (place) close(result.sample, result.facet, *place);
   }
 
   /// New centres affect few stretches and leave a hole in fewer: those are gone through sample by sample.
@@ -259,8 +259,9 @@ class HoleCloser {
   bool has_hole(const SurfaceSample& sample, HoleFinder& holes) const {
     if (holes.covered(sample, allowed_)) return false;
     try {
-      const Eigen::Vector3d place = holes.below(sample);
-      return fresh_.affects(sample, place) && holes.find(sample, place, allowed_).distance >= allowed_;
+      const std::optional<Eigen::Vector3d> place = holes.below(sample);
+      return place && fresh_.affects(sample, *place) &&
+             holes.find(sample, *place, allowed_).distance >= allowed_;
     } catch (const MeshError&) {
       return true;
     }
@@ -274,8 +275,9 @@ class HoleCloser {
         [&](const SurfaceSample& sample, std::size_t facet) {
           if (!fresh_.may_affect(sample, lateral_[stretch.number]) || !reachable(sample)) return;
           if (holes_.covered(sample, allowed_)) return;
-          const Eigen::Vector3d place = holes_.below(sample);  // throws where it is too thin
-          if (fresh_.affects(sample, place)) close(sample, static_cast<std::uint32_t>(facet), place);
+          const std::optional<Eigen::Vector3d> place = holes_.below(sample);  // throws where it is too thin
+          if (place && fresh_.affects(sample, *place))
+            close(sample, static_cast<std::uint32_t>(facet), *place);
           note_new();
         });
   }

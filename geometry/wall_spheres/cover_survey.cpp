@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/wall_spheres/cover_samples.h"
 #include "geometry/wall_spheres/wall_holes.h"
@@ -65,7 +66,9 @@ class Surveyor {
     const double least = std::max(radius_, result.widest);
     if (holes_.covered(sample, least)) return;
     const bool straight = known == SampleKnown::kStraightBelow;
-    const Hole hole = holes_.find(sample, straight ? sample.at_depth(radius_) : holes_.below(sample), least);
+    const std::optional<Eigen::Vector3d> place = straight ? sample.at_depth(radius_) : holes_.below(sample);
+    if (!place) return;
+    const Hole hole = holes_.find(sample, *place, least);
     if (hole.distance <= result.widest) return;
     result.widest = hole.distance;
     result.widest_place = sample.point;

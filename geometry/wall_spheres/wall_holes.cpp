@@ -69,7 +69,7 @@ Hole HoleFinder::find(const SurfaceSample& sample, const Eigen::Vector3d& place,
 }
 
 // Where the solid is thinner than R, as at the tip of a wedge, the path starts from the middle of the solid.
-Eigen::Vector3d HoleFinder::below(const SurfaceSample& sample) {
+std::optional<Eigen::Vector3d> HoleFinder::below(const SurfaceSample& sample) {
   const OffsetSurface& offset = layout_.offset();
   const Eigen::Vector3d guess = sample.at_depth(offset.depth());
   if (const auto place = offset.settle(guess, sample.point)) return place->centre;
@@ -78,7 +78,7 @@ Eigen::Vector3d HoleFinder::below(const SurfaceSample& sample) {
   if (const auto place = offset.settle(inside, sample.point)) return place->centre;
   if (const auto narrow = offset.thickness_between_opposite_faces(inside, sample.point))
     throw_too_thin(sample.point, *narrow, offset.depth());
-  return guess;
+  return std::nullopt;
 }
 
 std::optional<HoleFinder::Three> HoleFinder::three_nearest(const Eigen::Vector3d& place, double radius) {

@@ -26,9 +26,10 @@ class HoleFinder {
   /// Whether the nearest centre is so near the sample that no hole there can be wider than `least` (m, as
   /// Hole::distance).
   bool covered(const SurfaceSample& sample, double least);
-  /// The place at depth R that belongs to the sample, whatever the centres. Throws MeshError where the solid
-  /// is too thin for a sphere.
-  Eigen::Vector3d below(const SurfaceSample& sample);
+  /// The place at depth R that belongs to the sample, whatever the centres. None where the sample is so near
+  /// the tip of a wedge that rounding errors prevent finding it; the empty tip is a deviation, not a hole.
+  /// Throws MeshError where the solid is too thin for a sphere.
+  std::optional<Eigen::Vector3d> below(const SurfaceSample& sample);
   /// The hole round `place`, the place below() the sample; distance 0 where it cannot be wider than `least`.
   /// From `place` the search goes to the point equally far from the three nearest centres, so that a hole is
   /// found in full size although samples miss its middle.

@@ -1,6 +1,7 @@
 // Wall spheres where walls meet or are thin: inner edges, wedges, cusps, needles, plates.
 #include <numbers>
 
+#include "tests/geometry/sample_tool_files.h"
 #include "tests/geometry/wall_spheres/wall_sphere_support.h"
 
 namespace diefill::geometry {
@@ -31,6 +32,16 @@ TEST(WallSpheres, RoundOffASharpWedge) {
   const double tip = kRadius / std::sin(angle / 2) - kRadius;
   EXPECT_NEAR(spheres.largest_deviation, tip, 0.1 * tip);
   EXPECT_NEAR(spheres.largest_deviation_place.head<2>().norm(), 0, 0.2 * kRadius);
+}
+
+TEST(WallSpheres, TipsOfSharpBladesAreRoundedNotOpen) {
+  WallSphereOptions wanted = options();
+  wanted.radius = 6e-4;
+  const WallSpheres spheres = make_wall_spheres(sample::tool("laboratory/mixer_impeller.stl"), wanted);
+  // Spheres that touch both faces leave a tip empty up to 2.7 R. Between spheres the gap is that of a square
+  // grid, or a little more where the blades are curved.
+  EXPECT_GT(spheres.largest_deviation, 2.5 * wanted.radius);
+  EXPECT_LT(spheres.largest_gap, 0.5 * wanted.radius);
 }
 
 /// What a round hole leaves of an inner corner: a pillar of three sides, one of them bent, with two cusps.
