@@ -3,10 +3,14 @@
 #include <cmath>
 
 #include "engine/search/neighbour_list.h"
+#include "engine/walls/wall_clearance.h"
 
 namespace diefill::engine {
 
 namespace {
+
+/// Rounding must not make a body seem farther than it is.
+constexpr double kRounding = 1 + 1e-6;
 
 float rounded_down(double value) {
   return std::nextafter(static_cast<float>(value), 0.0F);
@@ -31,6 +35,37 @@ void find_parts(const WallBody& body, const Eigen::Vector3d& place, double reach
   if (!body.flat() && !body.meshed()) std::sort(parts.begin(), parts.end());
 }
 
+/// A block's spheres, to leave out bodies that none of them is near.
+struct BlockExtent {
+  Eigen::AlignedBox3d box;  ///< m, of their centres
+  double reach = 0;         ///< m, how near any of them must come to what it touches, before it has moved
+};
+
+BlockExtent extent_of(const Block& block, const SphereField& spheres, const ListReference& reference,
+                      const NeighbourSettings& settings) {
+  BlockExtent extent;
+  const std::uint32_t first = block.begin * block.spheres_per_grain;
+  for (std::uint32_t sphere = first; sphere < first + block.own_spheres(); ++sphere) {
+    if (!spheres.exists(sphere)) continue;
+    extent.box.extend(eigen(spheres.position(sphere)));
+    extent.reach = std::max(extent.reach, radius_of(settings, spheres, sphere) +
+                                              reference.allowance(sphere / block.spheres_per_grain));
+  }
+  return extent;
+}
+
+/// Whether none of the block's spheres can come to touch body b before the next search. `reach`: m, how far
+/// from the centres of its spheres, its planes or its triangles a point may touch it.
+bool is_far(const BlockExtent& extent, const WallBody& body, std::size_t b, const ListReference& reference,
+            double reach) {
+  if (extent.box.isEmpty()) return true;
+  double allowance = 0;
+  for (std::size_t group = 0; group < reference.groups(); ++group)
+    allowance = std::max(allowance, reference.allowance_of_body(b, group));
+  return clearance_of(body, reference.bodies[b], extent.box, kRounding * (extent.reach + reach + allowance)) >
+         0;
+}
+
 }  // namespace
 
 void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
@@ -44,16 +79,18 @@ void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
   block.wall_run_first.assign(1, 0);
   block.wall_runs.clear();
   block.wall_distance.clear();
+  const BlockExtent extent = extent_of(block, spheres, reference, settings_);
   for (std::uint32_t b = 0; b < bodies.size(); ++b) {
     const BodyMotion& pose = reference.bodies[b];
-    for (std::uint32_t k = 0; k < own; ++k) {
+    const double reach = bodies[b].sphere_radius() + (bodies[b].mirror() ? settings_.law_range : 0);
+    const bool far = is_far(extent, bodies[b], b, reference, reach);
+    for (std::uint32_t k = 0; !far && k < own; ++k) {
       const std::uint32_t sphere = block.begin * per_grain + k, grain = sphere / per_grain;
       if (!spheres.exists(sphere)) continue;
       const Eigen::Vector3d place =
           pose.rotation.transpose() * (eigen(spheres.position(sphere)) - pose.translation);
       find_parts(bodies[b], place,
-                 radius_of(settings_, spheres, sphere) + bodies[b].sphere_radius() +
-                     (bodies[b].mirror() ? settings_.law_range : 0) +
+                 radius_of(settings_, spheres, sphere) + reach +
                      reference.allowance_of_body(b, reference.group_of(grain)) + reference.allowance(grain),
                  workspace.found, parts);
       if (parts.empty()) continue;

@@ -7,6 +7,7 @@
 #include "engine/search/drift_groups.h"
 #include "engine/search/spatial_order.h"
 #include "engine/simulation/sleep_rules.h"
+#include "engine/walls/wall_clearance.h"
 
 namespace diefill::engine {
 
@@ -14,16 +15,6 @@ namespace {
 
 /// m; a grain farther out than this has been thrown there by an unstable run.
 constexpr double kFarthestPlace = 1e6;
-
-/// How far (m) body and powder are apart at least, beyond `reach`; 0 when near. Coarse: the powder's box as a
-/// ball.
-double clearance_of(const WallBody& body, const BodyMotion& pose, const Eigen::AlignedBox3d& powder,
-                    double reach) {
-  const Eigen::Vector3d &lower = powder.min(), &upper = powder.max();
-  const Eigen::Vector3d middle = pose.rotation.transpose() * (0.5 * (lower + upper) - pose.translation);
-  const Eigen::Vector3d beyond = (body.lower() - middle).cwiseMax(middle - body.upper()).cwiseMax(0.0);
-  return std::max(0.0, beyond.norm() - 0.5 * (upper - lower).norm() - reach);
-}
 
 /// A search sorts grains into cells: there must be a place to sort them to.
 void check_places(const SimulationState& state) {
