@@ -89,7 +89,7 @@ Variant variant_of(const Scene& scene, const std::string& name, const std::strin
 }
 
 /// Whether powders scatter more than seeds do: with few runs the variances differ by chance, too.
-bool told_apart(const Sample& powders, const Sample& seeds) {
+bool significant(const Sample& powders, const Sample& seeds) {
   constexpr double kByChance = 0.1;
   if (powders.count < 2 || seeds.count < 2) return false;
   const double ratio = results::variance_ratio_exceeded(static_cast<double>(powders.count - 1),
@@ -114,7 +114,7 @@ results::SpreadFigure spread_of(const results::ComparedMeasure& measure,
   figure.powder = std::sqrt(std::max(0.0, powders.scatter * powders.scatter - best.scatter * best.scatter));
   if (!std::isfinite(powders.scatter) || !std::isfinite(best.scatter))
     figure.powder = std::numeric_limits<double>::quiet_NaN();
-  figure.told_apart = told_apart(powders, best);
+  figure.significant = significant(powders, best);
   return figure;
 }
 

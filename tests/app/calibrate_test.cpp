@@ -252,7 +252,7 @@ TEST(Calibrate, PowdersOfItsRegionShowWhatTheirUncertaintyDoes) {
     EXPECT_NEAR(figure.at("share_of_the_powder").get<double>(),
                 std::sqrt(std::max(0.0, all * all - seeds * seeds)), 1e-9);
     // Two seeds and three powders: F exceeds 49.5 by chance in 10 % of cases.
-    EXPECT_EQ(figure.at("told_apart_from_seeds").get<bool>(), all * all > 49.5 * seeds * seeds);
+    EXPECT_EQ(figure.at("significant").get<bool>(), all * all > 49.5 * seeds * seeds);
   }
   EXPECT_GT(contents(die.folder() / "spread" / "powder_samples.html").size(), 1000U);
 }

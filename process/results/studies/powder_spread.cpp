@@ -26,7 +26,7 @@ Json entry(const SpreadFigure& figure) {
           {"powders_mean", json_number(figure.mean)},
           {"spread_over_powders", json_number(figure.spread)},
           {"share_of_the_powder", json_number(figure.powder)},
-          {"told_apart_from_seeds", figure.told_apart},
+          {"significant", figure.significant},
           {"of_seeds", json_numbers(figure.of_seeds)},
           {"of_powders", json_numbers(figure.of_powders)}};
 }
@@ -49,13 +49,13 @@ std::string json_of(const PowderSpread& spread) {
 
 std::string csv_of(const PowderSpread& spread) {
   std::string text =
-      "figure,unit,best powder,scatter over seeds,mean over powders,spread over powders,share of the "
-      "powder,told apart from seeds\n";
+      "figure,unit,best powder,scatter over seeds,mean over powders,spread over powders,effect of the "
+      "powder,significant\n";
   for (const auto& figure : spread.figures) {
     text += csv_text(figure.name) + ',' + csv_text(figure.unit);
     for (const double value : {figure.best, figure.scatter, figure.mean, figure.spread, figure.powder})
       text += ',' + csv_number(value, 6);
-    text += figure.told_apart ? ",yes\n" : ",no\n";
+    text += figure.significant ? ",yes\n" : ",no\n";
   }
   return text;
 }
@@ -66,9 +66,9 @@ std::string spread_text(const SpreadFigure& figure) {
   const std::string unit = unit_behind(figure.unit);
   const std::string seeds = "+-" + number(figure.scatter, 2) + unit + " over seeds",
                     start = figure.name + ' ' + number(figure.mean, 4) + unit + ": ";
-  if (!std::isfinite(figure.powder) || figure.told_apart)
+  if (!std::isfinite(figure.powder) || figure.significant)
     return start + "+-" + number(figure.powder, 2) + unit + " by the powder, " + seeds;
-  return start + seeds + "; the share of the powder cannot be distinguished from the scatter over seeds";
+  return start + seeds + "; the effect of the powder cannot be distinguished from the scatter over seeds";
 }
 
 void write_powder_spread(const std::filesystem::path& directory, const PowderSpread& spread) {

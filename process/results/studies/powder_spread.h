@@ -21,7 +21,7 @@ struct SpreadFigure {
       0;  ///< what of it the powder adds: root of spread^2 less scatter^2, 0 where that is below 0
   /// Whether chance alone makes the ratio of the variances as large in less than 10 % of cases; otherwise
   /// `powder` is a number by chance.
-  bool told_apart = false;
+  bool significant = false;
 };
 
 struct PowderSpread {
@@ -34,7 +34,7 @@ struct PowderSpread {
 };
 
 /// In one sentence, such as "filled mass 12.1 g: +-0.3 g by the powder, +-0.1 g over seeds", or that the two
-/// are not told apart.
+/// cannot be distinguished.
 std::string spread_text(const SpreadFigure& figure);
 
 /// Writes `directory`/powder_samples.json and powder_samples.csv, each whole or not at all. Throws

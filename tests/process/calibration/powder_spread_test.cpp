@@ -1,4 +1,4 @@
-// What the powder's uncertainty does, told apart from the scatter over seeds or not.
+// What the powder's uncertainty does, and whether that can be distinguished from the scatter over seeds.
 #include "process/results/studies/powder_spread.h"
 
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@ namespace {
 TEST(PowderSpread, IsANumberOnlyWhereItIsToldApartFromSeeds) {
   SpreadFigure figure{"filled_mass_kg", "filled mass", "g", {}, {}, 12.1, 0.1, 12.1, 0.32, 0.3, true};
   EXPECT_EQ(spread_text(figure), "filled mass 12.1 g: +-0.3 g by the powder, +-0.1 g over seeds");
-  figure.told_apart = false;
+  figure.significant = false;
   EXPECT_EQ(spread_text(figure),
-            "filled mass 12.1 g: +-0.1 g over seeds; the share of the powder cannot be distinguished from "
+            "filled mass 12.1 g: +-0.1 g over seeds; the effect of the powder cannot be distinguished from "
             "the scatter over seeds");
   figure.powder = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(spread_text(figure), "filled mass 12.1 g: +-unknown g by the powder, +-0.1 g over seeds");
