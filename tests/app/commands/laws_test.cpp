@@ -88,7 +88,7 @@ TEST(LawsInWords, AreNamedByCheckAndPlan) {
   set_up(die, named_laws().at(4));
   const std::string rolls = "rolling EPSD2 (rolling_friction 0.1, shear_modulus 600000 Pa)";
   EXPECT_NE(die.check().out.find(rolls), std::string::npos) << die.check().out;
-  const Outcome plan = run_program({"plan", die.scene().string()});
+  const Outcome plan = run_program({"plan", die.scene().string(), "--no-benchmark"});
   EXPECT_NE(plan.out.find(rolls), std::string::npos) << plan.out;
 }
 

@@ -12,15 +12,15 @@ TEST(MeshWalls, FillAndLoseNothingOnAnyNumberOfThreads) {
   const Outcome checked = die.check();
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
   EXPECT_NE(checked.out.find("walls: the mesh itself"), std::string::npos) << checked.out;
-  ASSERT_EQ(die.run().exit_code, 0);
+  ASSERT_EQ(die.run({"--no-pictures"}).exit_code, 0);
   const auto alone = die.report();
   EXPECT_EQ(alone.at("grains").get<double>() + alone.at("grains_left").get<double>() +
                 alone.at("grains_sheared").get<double>(),
             138);
   EXPECT_GT(alone.at("filled_mass_kg").get<double>(), 0.2 * 64e-9 * 5397);
   EXPECT_LT(std::abs(alone.at("energy_balance_error").get<double>()), 0.005);
-  const Outcome together =
-      run_program({"run", die.scene().string(), "--out", die.out().string(), "--threads", "2"});
+  const Outcome together = run_program(
+      {"run", die.scene().string(), "--out", die.out().string(), "--no-pictures", "--threads", "2"});
   ASSERT_EQ(together.exit_code, 0) << together.err;
   EXPECT_EQ(die.report().at("state_hash"), alone.at("state_hash"));
 }
@@ -33,7 +33,7 @@ TEST(MeshWalls, OtherWallsAreOtherRuns) {
     mesh.exchange("role = \"die\"", "role = \"die\"\nwalls = \"mesh\"");
     for (const SmallDie* die : {&spheres, &mesh}) {
       die->exchange("seed = 1", std::string("seed = ") + seed);
-      ASSERT_EQ(die->run().exit_code, 0);
+      ASSERT_EQ(die->run({"--no-pictures"}).exit_code, 0);
     }
     EXPECT_NE(mesh.report().at("state_hash"), spheres.report().at("state_hash"));
     spheres_fill += spheres.report().at("filled_mass_kg").get<double>() / 4;

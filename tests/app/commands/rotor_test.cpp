@@ -99,9 +99,10 @@ class RingOfSpheres {
   /// The scene with `numerics` more.
   void write(const std::string& numerics) const { folder_.write("scene.toml", kScene + numerics); }
   Outcome run(const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments = {
-        "run", (folder_.path() / "scene.toml").string(), "--out", out().string(), "--quiet", "--threads",
-        "1"};
+    std::vector<std::string> arguments = {"run",       (folder_.path() / "scene.toml").string(),
+                                          "--out",     out().string(),
+                                          "--quiet",   "--no-pictures",
+                                          "--threads", "1"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_program(arguments);
   }

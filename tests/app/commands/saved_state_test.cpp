@@ -15,7 +15,7 @@ constexpr const char* kPour =
 void settle_and_go_on(const SmallDie& die, const std::string& pour) {
   die.pour_into_the_pocket();
   die.exchange_passage("");
-  const Outcome first = die.run({"--quiet"});
+  const Outcome first = die.run({"--quiet", "--no-pictures"});
   ASSERT_EQ(first.exit_code, 0) << first.err;
   std::filesystem::rename(die.out(), die.folder() / "settled");
   die.exchange(kPour, pour);
@@ -27,7 +27,7 @@ nlohmann::json settled_report(const SmallDie& die) {
 
 /// The scene ends with exit code 2, one line that holds all of `parts`, and no results.
 void expect_refused(const SmallDie& die, const std::vector<std::string>& parts) {
-  const Outcome outcome = die.run({"--quiet"});
+  const Outcome outcome = die.run({"--quiet", "--no-pictures"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
   for (const auto& part : parts) EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
@@ -37,7 +37,7 @@ void expect_refused(const SmallDie& die, const std::vector<std::string>& parts) 
 TEST(SavedState, BeginsWithTheGrainsOfTheOtherRunAtRest) {
   const SmallDie die;
   settle_and_go_on(die, "state = \"settled\"");
-  const Outcome outcome = die.run({"--quiet"});
+  const Outcome outcome = die.run({"--quiet", "--no-pictures"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto before = settled_report(die), after = die.report();
   EXPECT_EQ(after.at("grains"), before.at("grains"));
@@ -50,7 +50,7 @@ TEST(SavedState, BeginsWithTheGrainsOfTheOtherRunAtRest) {
 TEST(SavedState, IsCutAtAHeight) {
   const SmallDie die;
   settle_and_go_on(die, "state = \"settled\"\nstate_below = \"-2.2 mm\"");
-  ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
+  ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 0);
   const auto before = settled_report(die).at("grains").get<int>(),
              after = die.report().at("grains").get<int>();
   EXPECT_GT(after, before / 4);
@@ -60,13 +60,13 @@ TEST(SavedState, IsCutAtAHeight) {
 TEST(SavedState, ResumesAsTheUnbrokenRun) {
   const SmallDie die;
   settle_and_go_on(die, "state = \"settled\"");
-  ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
+  ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 0);
   const auto unbroken = die.report();
   std::filesystem::remove_all(die.out());
   die.exchange("checkpoint_interval = \"1 s\"\n", "checkpoint_interval = \"1 s\"\nmax_time = \"1 ms\"\n");
-  ASSERT_EQ(die.run({"--quiet"}).exit_code, 4);
+  ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 4);
   die.exchange("max_time = \"1 ms\"\n", "max_time = \"5 s\"\n");
-  ASSERT_EQ(die.run({"--quiet", "--resume"}).exit_code, 0);
+  ASSERT_EQ(die.run({"--quiet", "--no-pictures", "--resume"}).exit_code, 0);
   EXPECT_EQ(die.report().at("state_hash"), unbroken.at("state_hash"));
 }
 
@@ -74,7 +74,7 @@ TEST(SavedState, OfAnotherFileIsAnotherComputation) {
   const SmallDie die;
   settle_and_go_on(die, "state = \"settled\"");
   die.exchange("checkpoint_interval = \"1 s\"\n", "checkpoint_interval = \"1 s\"\nmax_time = \"1 ms\"\n");
-  ASSERT_EQ(die.run({"--quiet"}).exit_code, 4);
+  ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 4);
   // The same name, another content.
   std::filesystem::rename(die.folder() / "settled", die.folder() / "first");
   die.exchange("state = \"settled\"", kPour);
@@ -85,7 +85,7 @@ TEST(SavedState, OfAnotherFileIsAnotherComputation) {
   die.exchange(kPour, "state = \"settled\"");
   die.exchange("seed = 2", "seed = 1");
   die.exchange("checkpoint_interval = \"1 s\"\n", "checkpoint_interval = \"1 s\"\nmax_time = \"5 s\"\n");
-  const Outcome outcome = die.run({"--quiet", "--resume"});
+  const Outcome outcome = die.run({"--quiet", "--no-pictures", "--resume"});
   EXPECT_NE(outcome.exit_code, 0) << "went on from a checkpoint of other powder";
 }
 

@@ -69,7 +69,7 @@ when = { after = "passage" }
 TEST(Strategies, ShakenToolingComesBackAndIsMeasuredWhereItIs) {
   const SmallDie die;
   shake(die);
-  const Outcome outcome = die.run();
+  const Outcome outcome = die.run({"--no-pictures"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("1 passage at 0.1 m/s and vibration of die and shoe at 30 Hz"),
             std::string::npos)
@@ -97,14 +97,14 @@ TEST(Strategies, GoOnAfterAKillAsIfNothingHadHappened) {
   const SmallDie die, other;
   shake(die);
   shake(other);
-  ASSERT_EQ(other.run({"--quiet"}).exit_code, 0);
+  ASSERT_EQ(other.run({"--quiet", "--no-pictures"}).exit_code, 0);
   for (const int milliseconds : {1200, 1500}) {
     Program program(die.run_arguments({"--resume", "--quiet"}));
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
     program.send(SIGKILL);
     program.wait();
   }
-  const Outcome last = die.run({"--resume", "--quiet"});
+  const Outcome last = die.run({"--resume", "--quiet", "--no-pictures"});
   ASSERT_EQ(last.exit_code, 0) << last.err;
   EXPECT_EQ(die.report().at("state_hash"), other.report().at("state_hash"));
   for (const char* file : {"probe_filled_mass.csv", "probe_on_the_die.csv"})
@@ -141,7 +141,7 @@ quantity = "flow"
 origin = ["0 mm", "0 mm", "0 mm"]
 interval = "10 ms"
 )");
-  const Outcome outcome = die.run({"--quiet"});
+  const Outcome outcome = die.run({"--quiet", "--no-pictures"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto report = die.report();
   // 4 x 4 x 4 mm, though there was no room at the start.
@@ -175,7 +175,7 @@ quantity = "load"
 tool = "piston"
 interval = "10 ms"
 )");
-  const Outcome outcome = die.run({"--quiet"});
+  const Outcome outcome = die.run({"--quiet", "--no-pictures"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto rows = rows_of(die, "probe_piston.csv");
   // The step is over 0.4 s after the powder has come to rest; the last rows before that.
@@ -216,7 +216,7 @@ interval = "1 ms"
 TEST(Strategies, APistonCyclesBetweenForcesAndRetreats) {
   const SmallDie die;
   press_in_cycles(die);
-  const Outcome outcome = die.run({"--quiet"});
+  const Outcome outcome = die.run({"--quiet", "--no-pictures"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto rows = rows_of(die, "probe_piston.csv");
   double highest = 0, lowest = 0;
@@ -242,14 +242,14 @@ TEST(Strategies, APistonThatCyclesGoesOnAfterAKill) {
   const SmallDie die, other;
   press_in_cycles(die);
   press_in_cycles(other);
-  ASSERT_EQ(other.run({"--quiet"}).exit_code, 0);
+  ASSERT_EQ(other.run({"--quiet", "--no-pictures"}).exit_code, 0);
   for (const int milliseconds : {1200, 1500}) {
     Program program(die.run_arguments({"--resume", "--quiet"}));
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
     program.send(SIGTERM);
     program.wait();
   }
-  const Outcome last = die.run({"--resume", "--quiet"});
+  const Outcome last = die.run({"--resume", "--quiet", "--no-pictures"});
   ASSERT_EQ(last.exit_code, 0) << last.err;
   EXPECT_EQ(die.report().at("state_hash"), other.report().at("state_hash"));
   EXPECT_EQ(contents(die.out() / "probe_piston.csv"), contents(other.out() / "probe_piston.csv"));
@@ -269,7 +269,7 @@ with = "shoe"
 [[step]]
 kind = "passage")");
   die.exchange(kVelocity, kVelocity + "\n[[step]]\nkind = \"clear\"\n");
-  const Outcome outcome = die.run({"--quiet"});
+  const Outcome outcome = die.run({"--quiet", "--no-pictures"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto report = die.report();
   const double grain = 7.63e-8 * std::pow(1 / 0.3, 3);
@@ -288,7 +288,7 @@ from = ["0.7 mm", "-2.3 mm", "8 mm"]
 to = ["5.3 mm", "2.3 mm", "8 mm"]
 mass = "80 mg"
 )");
-  const Outcome outcome = die.run({"--quiet"});
+  const Outcome outcome = die.run({"--quiet", "--no-pictures"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto result = results::read_results(die.out());
   double highest = 0;
