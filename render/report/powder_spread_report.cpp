@@ -41,10 +41,10 @@ Table figures_table(const results::PowderSpread& spread) {
       {},
       true};
   for (const auto& figure : spread.figures)
-    table.rows.push_back(
-        {with_unit_of(figure.name, figure.unit), in_digits(figure.mean, 4),
-         std::isfinite(figure.powder) && !figure.significant ? "not significant" : in_digits(figure.powder, 2),
-         in_digits(figure.scatter, 2), in_digits(figure.best, 4)});
+    table.rows.push_back({with_unit_of(figure.name, figure.unit), in_digits(figure.mean, 4),
+                          std::isfinite(figure.powder) && !figure.significant ? "not significant"
+                                                                              : in_digits(figure.powder, 2),
+                          in_digits(figure.scatter, 2), in_digits(figure.best, 4)});
   return table;
 }
 
