@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/search/list_allowances.h"
 #include "engine/search/neighbour_list.h"
 #include "engine/walls/wall_clearance.h"
 
@@ -38,7 +39,7 @@ void find_parts(const WallBody& body, const Eigen::Vector3d& place, double reach
 /// A block's spheres, to leave out bodies that none of them is near.
 struct BlockExtent {
   Eigen::AlignedBox3d box;  ///< m, of their centres
-  double reach = 0;         ///< m, how near any of them must come to what it touches, before it has moved
+  double reach = 0;         ///< m, largest sum of a sphere's radius and how far its grain may move
 };
 
 BlockExtent extent_of(const Block& block, const SphereField& spheres, const ListReference& reference,
@@ -59,11 +60,8 @@ BlockExtent extent_of(const Block& block, const SphereField& spheres, const List
 bool is_far(const BlockExtent& extent, const WallBody& body, std::size_t b, const ListReference& reference,
             double reach) {
   if (extent.box.isEmpty()) return true;
-  double allowance = 0;
-  for (std::size_t group = 0; group < reference.groups(); ++group)
-    allowance = std::max(allowance, reference.allowance_of_body(b, group));
-  return clearance_of(body, reference.bodies[b], extent.box, kRounding * (extent.reach + reach + allowance)) >
-         0;
+  const double allowed = reach + farthest_allowance_of_body(reference, b);
+  return clearance_of(body, reference.bodies[b], extent.box, kRounding * (extent.reach + allowed)) > 0;
 }
 
 }  // namespace
@@ -83,8 +81,8 @@ void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
   for (std::uint32_t b = 0; b < bodies.size(); ++b) {
     const BodyMotion& pose = reference.bodies[b];
     const double reach = bodies[b].sphere_radius() + (bodies[b].mirror() ? settings_.law_range : 0);
-    const bool far = is_far(extent, bodies[b], b, reference, reach);
-    for (std::uint32_t k = 0; !far && k < own; ++k) {
+    const std::uint32_t searched = is_far(extent, bodies[b], b, reference, reach) ? 0 : own;
+    for (std::uint32_t k = 0; k < searched; ++k) {
       const std::uint32_t sphere = block.begin * per_grain + k, grain = sphere / per_grain;
       if (!spheres.exists(sphere)) continue;
       const Eigen::Vector3d place =

@@ -5,6 +5,7 @@
 
 #include "engine/numerics/out_of_range.h"
 #include "engine/search/drift_groups.h"
+#include "engine/search/list_allowances.h"
 #include "engine/search/spatial_order.h"
 #include "engine/simulation/sleep_rules.h"
 #include "engine/walls/wall_clearance.h"
@@ -117,14 +118,6 @@ void remember_reference(SimulationState& state, std::size_t awake) {
   allow_motion(state);
 }
 
-/// m, of any grain of the present list.
-double farthest_allowance(const ListReference& reference) {
-  double farthest = 0;
-  for (std::size_t k = 0; k < reference.doublings.size(); ++k)
-    farthest = std::max(farthest, reference.allowance(k));
-  return farthest;
-}
-
 void find_images(SimulationState& state, const ImageFinder& other) {
   auto& images = state.spheres.images;
   images.clear();
@@ -161,9 +154,7 @@ void measure_clearances(SimulationState& state) {
   const double sphere_reach = state.types.largest_sphere() + farthest_allowance(state.reference);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const WallBody& body = state.bodies[b];
-    double allowance = 0;
-    for (std::size_t group = 0; group < state.reference.groups(); ++group)
-      allowance = std::max(allowance, state.reference.allowance_of_body(b, group));
+    const double allowance = farthest_allowance_of_body(state.reference, b);
     state.clearance[b] = spheres.grains == 0 || !state.settings.skip_far_walls
                              ? 0
                              : clearance_of(body, state.reference.bodies[b], powder,

@@ -249,7 +249,7 @@ TEST(Calibrate, PowdersOfItsRegionShowWhatTheirUncertaintyDoes) {
     EXPECT_EQ(figure.at("of_seeds").size(), 2U);
     EXPECT_EQ(figure.at("of_powders").size(), 3U);
     const double all = figure.at("spread_over_powders"), seeds = figure.at("scatter_over_seeds");
-    EXPECT_NEAR(figure.at("share_of_the_powder").get<double>(),
+    EXPECT_NEAR(figure.at("effect_of_the_powder").get<double>(),
                 std::sqrt(std::max(0.0, all * all - seeds * seeds)), 1e-9);
     // Two seeds and three powders: F exceeds 49.5 by chance in 10 % of cases.
     EXPECT_EQ(figure.at("significant").get<bool>(), all * all > 49.5 * seeds * seeds);

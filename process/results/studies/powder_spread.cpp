@@ -25,7 +25,7 @@ Json entry(const SpreadFigure& figure) {
           {"scatter_over_seeds", json_number(figure.scatter)},
           {"powders_mean", json_number(figure.mean)},
           {"spread_over_powders", json_number(figure.spread)},
-          {"share_of_the_powder", json_number(figure.powder)},
+          {"effect_of_the_powder", json_number(figure.powder)},
           {"significant", figure.significant},
           {"of_seeds", json_numbers(figure.of_seeds)},
           {"of_powders", json_numbers(figure.of_powders)}};

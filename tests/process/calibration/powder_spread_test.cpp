@@ -10,7 +10,7 @@
 namespace diefill::results {
 namespace {
 
-TEST(PowderSpread, IsANumberOnlyWhereItIsToldApartFromSeeds) {
+TEST(PowderSpread, IsANumberOnlyWhereItIsSignificant) {
   SpreadFigure figure{"filled_mass_kg", "filled mass", "g", {}, {}, 12.1, 0.1, 12.1, 0.32, 0.3, true};
   EXPECT_EQ(spread_text(figure), "filled mass 12.1 g: +-0.3 g by the powder, +-0.1 g over seeds");
   figure.significant = false;
