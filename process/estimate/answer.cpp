@@ -20,8 +20,8 @@ std::vector<const OpeningEstimate*> cavities_of(const Estimate& estimate) {
 }
 
 /// Why the numbers settle nothing, whatever they are.
-std::vector<std::string> reasons_against_any(const Estimate& estimate) {
-  if (estimate.starved) return {"the shoe holds less powder than the openings take: pour more"};
+std::vector<std::string> reasons_without_answer(const Estimate& estimate) {
+  if (estimate.powder_limited) return {"the shoe holds less powder than the openings take: pour more"};
   std::vector<std::string> reasons;
   for (const OpeningEstimate* cavity : cavities_of(estimate))
     if (const std::string why = too_coarse(estimate, *cavity); !why.empty()) reasons.push_back(why);
@@ -61,7 +61,7 @@ void find_answer(Estimate& estimate) {
     return;
   }
   estimate.answer = Answer::open;
-  estimate.open_because = reasons_against_any(estimate);
+  estimate.open_because = reasons_without_answer(estimate);
   if (!estimate.open_because.empty()) return;
   const auto least_is_full = [](const auto* cavity) { return cavity->least_share >= kFull; };
   const auto most_is_full = [](const auto* cavity) { return cavity->most_share >= kFull; };

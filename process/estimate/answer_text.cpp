@@ -67,9 +67,9 @@ std::string nothing_to_fill(const Estimate& estimate) {
     if (estimate.path.speed > 0) text += results::formatted(" at %.3g m/s", estimate.path.speed);
     return text + with_grains(estimate.grain_diameter) + ", " + results::mass_text(opening.least_mass) +
            " to " + results::mass_text(opening.most_mass) + " with the uncertainty" +
-           (opening.runs_out() ? "; what is poured over it runs out before it rests"
-            : estimate.starved ? "; that is all that the shoe holds"
-                               : "") +
+           (opening.runs_out()        ? "; what is poured over it runs out before it rests"
+            : estimate.powder_limited ? "; that is all that the shoe holds"
+                                      : "") +
            beyond_the_range(estimate);
   }
   if (estimate.outlet) return "no shoe passes over an opening: " + outlet_text(estimate);
@@ -94,7 +94,7 @@ std::string open_text(const Estimate& estimate, const OpeningEstimate& worst) {
     return "too close to call: " + leaves +
            ". Simulate, or measure your powder (diefill fit-discharge); by the formula " +
            remedy(estimate, worst);
-  if (estimate.starved) return joined(estimate.open_because) + ", then estimate again";
+  if (estimate.powder_limited) return joined(estimate.open_because) + ", then estimate again";
   const bool nothing_runs = !too_coarse(estimate, worst).empty();
   return "open: " + joined(estimate.open_because) + (nothing_runs ? "" : ". By the formula " + leaves);
 }

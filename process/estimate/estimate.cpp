@@ -48,7 +48,7 @@ void cap_bound(double OpeningEstimate::*bound, double available, Estimate& estim
 }
 
 /// What runs in is at most what the shoe holds: the crossing in which that ends is the last one that fills.
-void share_out(Estimate& estimate) {
+void limit_by_powder_in_shoe(Estimate& estimate) {
   const double available = estimate.powder.in_shoe + estimate.powder.let_in;
   std::vector<double> parts;  // of what runs in, by crossing
   double used = 0;
@@ -56,9 +56,9 @@ void share_out(Estimate& estimate) {
     const double mass = estimate.openings.empty() ? 0 : run_in(estimate, n);
     parts.push_back(mass > available - used ? (available - used) / mass : 1);
     used += parts.back() * mass;
-    estimate.starved = estimate.starved || parts.back() < 1 - 1e-9;
+    estimate.powder_limited = estimate.powder_limited || parts.back() < 1 - 1e-9;
   }
-  if (!estimate.starved) return;
+  if (!estimate.powder_limited) return;
   for (OpeningEstimate& opening : estimate.openings) {
     double before = 0, kept = 0;
     for (std::size_t n = 0; n < opening.mass.size(); ++n) {
@@ -100,7 +100,7 @@ Estimate estimate(const Scene& given, const Tooling& tooling, const EstimateOpti
       found.unseen.push_back(name + place_text(opening.centre));
     }
   }
-  share_out(found);
+  limit_by_powder_in_shoe(found);
   for (std::size_t k = 0; k < layout.punches.size(); ++k)
     found.suctions.push_back(suction_estimate(scene, inputs, k, found.powder));
   found.outlet = outlet_of(scene, tooling, powder, found.powder.in_shoe);

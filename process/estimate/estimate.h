@@ -43,12 +43,12 @@ struct OpeningEstimate {
   /// Whether that powder runs out through a slit before it is at rest.
   bool runs_out() const { return !is_cavity && poured > 0 && effective_width > 0; }
   double too_fast = 0;  ///< share of the opening where, in the first crossing, flow has no time to begin
-  std::optional<double> speed_once;      ///< m/s, fastest that fills it in one crossing
-  std::optional<double> speed_all;       ///< m/s, the same in as many crossings as the scene has
-  bool any_speed = false;                ///< it fills however fast the shoe goes, as that stands over it
-  std::optional<int> crossings;          ///< needed at the scene's speed; nothing: more than kMaxCrossings
-  std::optional<double> own_share;       ///< share filled by particles of the powder's own size
-  std::optional<double> own_speed_once;  ///< m/s, speed_once of these
+  std::optional<double> speed_once;  ///< m/s, fastest that fills it in one crossing
+  std::optional<double> speed_all;   ///< m/s, the same in as many crossings as the scene has
+  bool any_speed = false;            ///< it fills however fast the shoe goes, as that stands over it
+  std::optional<int> crossings;      ///< needed at the scene's speed; nothing: more than kMaxCrossings
+  std::optional<double> real_particle_share;       ///< share filled by particles of the powder's own size
+  std::optional<double> real_particle_speed_once;  ///< m/s, speed_once of these
   /// sqrt(D / g), D the effective width, over the time that one portion of powder is over the opening: v_s /
   /// sqrt(g D) for a slit across the motion.
   double froude = 0;
@@ -121,7 +121,7 @@ struct Estimate {
   bool only_shaken = false;  ///< tools are shaken or turned in place, and nothing else moves them
   std::vector<SceneNumber> numbers;
   std::vector<std::string> unseen;  ///< cavities that are not seen from above, with their places
-  bool starved = false;             ///< the shoe holds less than runs in: masses are cut down to it
+  bool powder_limited = false;      ///< the shoe holds less than runs in: masses are cut down to it
   KnownError error;
   Answer answer = Answer::open;
   std::vector<std::string> open_because;  ///< why there is no answer, a clause each; empty: too close to call

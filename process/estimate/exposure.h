@@ -30,7 +30,7 @@ struct ShoePath {
   std::size_t crossings = 0;  ///< the most that any place sees
   std::vector<std::vector<Exposure>> exposures;  ///< by patch of the layout
   /// Whether patch `place` is open below the powder that is poured.
-  bool poured_over(std::size_t place) const {
+  bool open_during_pour(std::size_t place) const {
     return pours && !exposures[place].empty() && exposures[place].front().began <= 0;
   }
 };

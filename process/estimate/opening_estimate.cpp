@@ -138,8 +138,8 @@ void find_speeds(const EstimateInputs& inputs, std::size_t k, const std::vector<
 }
 
 /// The same for particles of the powder's own size, which the grains of the scene stand for.
-void find_own(const EstimateInputs& inputs, std::size_t k, const PowderEstimate& powder,
-              OpeningEstimate& opening) {
+void find_real_particles(const EstimateInputs& inputs, std::size_t k, const PowderEstimate& powder,
+                         OpeningEstimate& opening) {
   if (!opening.is_cavity || opening.offered.empty() || !powder.particle_diameter ||
       *powder.particle_diameter > 0.99 * inputs.powder.grain_diameter)
     return;
@@ -148,11 +148,11 @@ void find_own(const EstimateInputs& inputs, std::size_t k, const PowderEstimate&
   const EstimateInputs own = {inputs.layout, inputs.path, fine};
   const auto rooms = punch_room(inputs.layout, inputs.path, fine, k);
   const auto offered = inflow_at(inputs.layout, inputs.path, fine, k, inputs.path.crossings, 1);
-  opening.own_share = kept(opening, rooms.back(), sum(offered)) / opening.full_mass;
+  opening.real_particle_share = kept(opening, rooms.back(), sum(offered)) / opening.full_mass;
   if (!(inputs.path.speed > 0)) return;
   const auto factor =
       fastest([&](double faster) { return fills_at(own, k, opening, rooms.front(), 1, faster); });
-  if (factor) opening.own_speed_once = *factor * inputs.path.speed;
+  if (factor) opening.real_particle_speed_once = *factor * inputs.path.speed;
 }
 
 /// Sets what is shared over the places of opening `k`: where the shoe is too fast, how long powder covers it.
@@ -165,7 +165,7 @@ void find_cover(const EstimateInputs& inputs, std::size_t k, OpeningEstimate& op
     const Portions portions = portions_of(place, first, inputs.path, inputs.powder);
     area += place.area;
     opening.filling_time += place.area * first.seconds;
-    if (inputs.path.poured_over(n)) poured += place.area;
+    if (inputs.path.open_during_pour(n)) poured += place.area;
     if (portions.width > 0) {
       open += place.area;
       longest += place.area * portions.longest();
@@ -209,7 +209,7 @@ OpeningEstimate opening_estimate(const EstimateInputs& inputs, std::size_t k, co
   fill(error, rooms, opening);
   if (opening.runs_out()) run_out(powder.in_shoe, opening);
   find_speeds(inputs, k, rooms, opening);
-  find_own(inputs, k, powder, opening);
+  find_real_particles(inputs, k, powder, opening);
   if (opening.is_cavity && powder.carrying_flux)
     find_trapped_air(inputs.layout, inputs.path, k, *powder.carrying_flux, opening);
   return opening;

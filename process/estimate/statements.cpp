@@ -39,11 +39,11 @@ std::string opening_text(const Estimate& estimate, const OpeningEstimate& openin
   text += ". After " + crossings + " " + mass(in) + " of " + mass(opening.full_mass) +
           results::formatted(" are in it: %.0f %% full (%.0f to %.0f %%)", percent(opening.share),
                              percent(opening.least_share), percent(opening.most_share));
-  if (opening.own_share)
+  if (opening.real_particle_share)
     text += results::formatted(
         "; with particles of the powder's own size, %.3g mm, %.0f %%, if the die is not widened for coarse "
         "grains",
-        1e3 * *estimate.powder.particle_diameter, percent(*opening.own_share));
+        1e3 * *estimate.powder.particle_diameter, percent(*opening.real_particle_share));
   if (opening.too_fast > 0.05)
     text += results::formatted(". Over %.0f %% of the opening the shoe is too fast for flow to begin at all",
                                100 * opening.too_fast);
@@ -64,7 +64,7 @@ void add_opening_statements(const Estimate& estimate, std::vector<Statement>& sa
                   "the places that are looked at; it is not estimated",
          "", "", "not measured"});
   const PowderEstimate& powder = estimate.powder;
-  if (estimate.starved)
+  if (estimate.powder_limited)
     said.push_back({"powder",
                     "the shoe holds " + mass(powder.in_shoe) +
                         (powder.let_in > 0 ? ", and steps let in " + mass(powder.let_in) : "") +
@@ -82,10 +82,10 @@ std::string critical_speed_text(const Estimate& estimate, const OpeningEstimate&
   if (opening.offered.size() > 1 && opening.speed_all)
     text += results::formatted(", %.2g m/s for %zu crossings", *opening.speed_all, opening.offered.size());
   text += with_grains(estimate.grain_diameter);
-  if (opening.own_speed_once)
+  if (opening.real_particle_speed_once)
     text +=
         results::formatted(" (%.2g m/s for one crossing with particles of the powder's own size, %.3g mm)",
-                           *opening.own_speed_once, 1e3 * *estimate.powder.particle_diameter);
+                           *opening.real_particle_speed_once, 1e3 * *estimate.powder.particle_diameter);
   return text;
 }
 

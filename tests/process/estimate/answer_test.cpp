@@ -100,13 +100,13 @@ TEST(TrappedAir, IsNoneInACavityLongerThanTheShoeOrFilledByAPunchAtFirst) {
 TEST(EstimateAnswer, OfAShoeWithTooLittlePowderIsOpenAndEarlierCrossingsStayAsTheyAre) {
   const std::pair<std::string, std::string> six = {"passages = 1", "passages = 6"};
   const std::pair<std::string, std::string> little = {"fill_height = \"12 mm\"", "fill_height = \"1.5 mm\""};
-  const Estimate enough = estimated(kSquare, {six}), starved = estimated(kSquare, {six, little});
-  ASSERT_LT(enough.openings.at(0).mass.front(), starved.powder.in_shoe);
-  ASSERT_GT(enough.openings[0].mass.back(), starved.powder.in_shoe);
-  EXPECT_TRUE(starved.starved);
-  EXPECT_NEAR(starved.openings.at(0).mass.front(), enough.openings[0].mass.front(), 1e-12);
-  EXPECT_NEAR(starved.openings[0].mass.back(), starved.powder.in_shoe, 1e-9);
-  expect_open(starved, "the shoe holds less powder than the openings take");
+  const Estimate enough = estimated(kSquare, {six}), powder_limited = estimated(kSquare, {six, little});
+  ASSERT_LT(enough.openings.at(0).mass.front(), powder_limited.powder.in_shoe);
+  ASSERT_GT(enough.openings[0].mass.back(), powder_limited.powder.in_shoe);
+  EXPECT_TRUE(powder_limited.powder_limited);
+  EXPECT_NEAR(powder_limited.openings.at(0).mass.front(), enough.openings[0].mass.front(), 1e-12);
+  EXPECT_NEAR(powder_limited.openings[0].mass.back(), powder_limited.powder.in_shoe, 1e-9);
+  expect_open(powder_limited, "the shoe holds less powder than the openings take");
   const Estimate refilled = estimated(kSquare, {six, little, {"[numerics]", R"([[step]]
 kind = "inflow"
 from = ["11 mm", "-6 mm", "5 mm"]
@@ -115,15 +115,15 @@ mass = "20 g"
 
 [numerics])"}});
   EXPECT_NEAR(refilled.powder.let_in, 0.02, 1e-12);
-  EXPECT_FALSE(refilled.starved);
+  EXPECT_FALSE(refilled.powder_limited);
 }
 
 TEST(EstimateAnswer, TellsOfTheGrainsAndOfThePowdersOwnParticles) {
   const Estimate found = estimated(kSquare);
   const OpeningEstimate& cavity = found.openings.at(0);
-  ASSERT_TRUE(cavity.own_share && cavity.own_speed_once && cavity.speed_once);
-  EXPECT_GT(*cavity.own_share, cavity.share);
-  EXPECT_GT(*cavity.own_speed_once, *cavity.speed_once);
+  ASSERT_TRUE(cavity.real_particle_share && cavity.real_particle_speed_once && cavity.speed_once);
+  EXPECT_GT(*cavity.real_particle_share, cavity.share);
+  EXPECT_GT(*cavity.real_particle_speed_once, *cavity.speed_once);
   EXPECT_TRUE(says(all_said(found), "for one crossing with grains of 2.35 mm"));
   EXPECT_TRUE(says(all_said(found), "particles of the powder's own size, 0.1 mm"));
 }
