@@ -16,6 +16,17 @@ namespace diefill::app {
 
 namespace {
 
+/// What CLI11 says of arguments; where it gives only counts, what to do.
+std::string argument_message(const CLI::Error& error) {
+  const std::string said = error.what();
+  const std::string option = said.substr(0, said.find(": "));
+  if (error.get_name() != "ArgumentMismatch") return said;
+  if (said.find(": At Most 1 required") != std::string::npos)
+    return option + ": found more than one value, allowed: one; give it once";
+  if (said.ends_with(" missing")) return option + ": found no value; write one behind it";
+  return said;
+}
+
 /// The error in the command-line arguments, on one line. An unknown argument comes first, because other
 /// errors may follow from it.
 std::string in_one_line(const CLI::App* program, const CLI::Error& error) {
@@ -25,7 +36,7 @@ std::string in_one_line(const CLI::App* program, const CLI::Error& error) {
     chosen = chosen->get_subcommands().front();
     command += ' ' + chosen->get_name();
   }
-  const std::string wrong = unknown_argument(*program).value_or(std::string("diefill: ") + error.what());
+  const std::string wrong = unknown_argument(*program).value_or("diefill: " + argument_message(error));
   return process::one_line(wrong, kLongest) + "; " + command + " --help lists the options\n";
 }
 

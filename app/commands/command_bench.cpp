@@ -1,7 +1,9 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -227,12 +229,24 @@ int bench(const BenchOptions& options) {
   simulation.emplace(assembled(wanted_bed(options), options.threads));
   if (options.trace) {
     trace(*simulation, options.steps, options.every, *options.trace);
+    std::printf("in %s: energy.csv, grains.csv\n", options.trace->c_str());
     return kDone;
   }
   const int settling = options.state ? kWarmUp : process::laboratory::kBenchmarkBedFall;
   for (int k = 0; k < settling; ++k) simulation->step();
   show(options, timed(*simulation, options.steps, resident_bytes() - before));
   return kDone;
+}
+
+/// One of the beds, or a scene file that is there.
+CLI::Validator bed_or_scene() {
+  const std::vector<std::string> beds = {"spheres", "clumps"};
+  CLI::Validator validator = one_of(beds);
+  return validator.operation([beds](std::string& text) {
+    const bool known = std::find(beds.begin(), beds.end(), text) != beds.end();
+    if (known || std::filesystem::is_regular_file(text)) return std::string();
+    return unknown_name(text, {"spheres", "clumps", "a scene file that exists"});
+  });
 }
 
 }  // namespace
@@ -244,7 +258,7 @@ void add_bench(CLI::App& program, Action& chosen) {
       ->add_option("BED", options->bed,
                    "spheres, clumps (model D), or a scene file (TOML) with the --state of a run of it")
       ->required()
-      ->check(one_of({"spheres", "clumps"}) | CLI::ExistingFile);
+      ->check(bed_or_scene());
   command
       ->add_option("--law", options->law, "contact law: bierwisch (the tuned one), or one composed of parts")
       ->check(one_of(process::laboratory::benchmark_laws()))
@@ -262,10 +276,12 @@ void add_bench(CLI::App& program, Action& chosen) {
                    "N: start from N x N copies of --state side by side, to measure the effect of size")
       ->check(whole_number(1, 100))
       ->needs("--state");
-  command->add_option("--trace", options->trace,
-                      "instead of timing, write kinetic energies and the final grains to this folder");
+  auto* traced =
+      command->add_option("--trace", options->trace,
+                          "instead of timing, write kinetic energies and the final grains to this folder");
   command->add_option("--every", options->every, "steps between energy outputs of --trace")
-      ->check(whole_number(1, 100000000));
+      ->check(whole_number(1, 100000000))
+      ->needs(traced);
   command->add_option("--spheres", options->spheres, "size of a generated bed")
       ->check(whole_number(1000, 20000000));
   command->add_option("--threads", options->threads, "threads")->check(whole_number(1, 1024));

@@ -12,7 +12,9 @@
 #include "app/tables/calibration_table.h"
 #include "process/calibration/calibrate.h"
 #include "process/calibration/check_cavities.h"
+#include "process/calibration/input_files.h"
 #include "process/calibration/screen.h"
+#include "process/compare/backups.h"
 #include "process/results/storage/atomic_file.h"
 #include "render/report/calibration_report.h"
 #include "render/report/html.h"
@@ -56,6 +58,22 @@ void refuse_directory(const std::filesystem::path& directory, const CalibrateArg
         ": holds runs of an earlier call; add --resume to continue, or choose another --out");
 }
 
+/// Refuses a directory where a table or powder.toml would take the place of a file that is read.
+void refuse_to_replace_inputs(const CalibrateArguments& arguments, const std::filesystem::path& directory,
+                              const calibration::CalibrationPlan& plan) {
+  std::vector<std::string> names = results::calibration_tables();
+  names.emplace_back("powder.toml");
+  const char* option = !arguments.export_to.empty()      ? "--export-jobs"
+                       : !arguments.collect_from.empty() ? "--collect"
+                                                         : "--out";
+  require_other_files(option, directory, names, calibration::input_files(plan));
+}
+
+void back_up_earlier_tables(const std::filesystem::path& directory, const results::Calibration& account) {
+  if (const auto folder = process::back_up_earlier_tables(directory, account))
+    print_note("note: earlier tables with what this call does not have were moved to " + folder->string());
+}
+
 calibration::CalibrateOptions options_of(const CalibrateArguments& arguments,
                                          const std::filesystem::path& directory) {
   calibration::CalibrateOptions options;
@@ -68,6 +86,7 @@ calibration::CalibrateOptions options_of(const CalibrateArguments& arguments,
   options.points.jobs.at_once = arguments.jobs;
   options.points.jobs.threads = arguments.threads;
   options.points.jobs.pictures = false;
+  options.points.jobs.to_continue = "run the same command with --resume to continue";
   options.points.jobs.show_progress = !arguments.quiet;
   if (arguments.budget > 0) options.points.jobs.cpu_seconds = 60 * arguments.budget;
   if (!arguments.quiet) options.on_note = print_note;
@@ -81,6 +100,7 @@ std::vector<std::string> write_all(const CalibrateArguments& arguments,
   std::vector<std::string> written = {"calibration.json", "calibration.csv", "calibration_points.csv",
                                       name + ".html"};
   write_output([&] {
+    back_up_earlier_tables(directory, account);
     results::write_calibration(directory, account);
     set_up_drawing();
     const auto document = render::report::calibration_document(account);
@@ -115,11 +135,11 @@ int calibrate(const CalibrateArguments& arguments) {
   if (!arguments.screen) calibration::check_enough_data(plan);
   const std::filesystem::path directory = directory_of(arguments);
   refuse_directory(directory, arguments);
+  refuse_to_replace_inputs(arguments, directory, plan);
   if (arguments.collect_from.empty()) {
     process::Progress progress(!arguments.quiet);
     calibration::check_cavities(plan, progress.callback());
   }
-  require_other_files("--out", directory, {"powder.toml"}, {arguments.file});
   const OutputDirectory output(directory, {"tools"}, arguments.export_to.empty() ? "--out" : "--export-jobs");
   auto options = options_of(arguments, directory);
   options.points.jobs.stop = &install_stop_handlers();
@@ -164,7 +184,7 @@ void add_options(CLI::App& command, CalibrateArguments& arguments) {
     exporting->excludes(other);
     collecting->excludes(other);
   }
-  exporting->excludes("--pdf");
+  for (const char* other : {"--pdf", "--resume", "--jobs", "--threads"}) exporting->excludes(other);
 }
 
 }  // namespace

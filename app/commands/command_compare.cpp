@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <thread>
 
@@ -8,6 +9,7 @@
 #include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
 #include "app/options/numbers.h"
+#include "app/options/output_file.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/stop_signals.h"
@@ -16,6 +18,7 @@
 #include "process/compare/collect.h"
 #include "process/compare/job_folder.h"
 #include "process/compare/run_jobs.h"
+#include "process/input/scene_error.h"
 #include "process/measured_data/compare_with_measured.h"
 
 namespace diefill::app {
@@ -64,6 +67,32 @@ std::vector<process::FurtherMeasure> measures_against(const std::vector<process:
   return measures;
 }
 
+/// Throws process::SceneError where a table or picture would take the place of a file that is read.
+void refuse_overwriting(const CompareArguments& arguments, const std::string& option,
+                        const std::filesystem::path& directory) {
+  std::vector<std::filesystem::path> inputs(arguments.measured.begin(), arguments.measured.end());
+  inputs.emplace_back(arguments.scene);
+  require_other_files(option, directory, {"comparison.json", "comparison.csv", "comparison.png"}, inputs);
+}
+
+/// Throws process::SceneError where the runs in the directory are not those of the scene.
+void require_runs_of(const std::string& scene, const std::filesystem::path& directory) {
+  const auto list = results::read_job_list(directory);
+  const auto seeds = list.jobs.size() / std::max<std::size_t>(1, list.variants.size());
+  const auto found =
+      process::find_jobs(directory, {"", process::read_variants(scene), static_cast<int>(seeds), {}});
+  const auto same = [](const results::Job& one, const results::Job& other) {
+    return one.variant == other.variant && one.folder == other.folder;
+  };
+  if (found.other_scenes.empty() &&
+      std::equal(list.jobs.begin(), list.jobs.end(), found.list.jobs.begin(), found.list.jobs.end(), same))
+    return;
+  throw process::SceneError(
+      "SCENE: found \"" + scene + "\", but \"" + directory.string() +
+      "\" holds runs of another scene, seed or setting; leave SCENE out, or run diefill "
+      "compare without --collect");
+}
+
 int gather(const std::filesystem::path& directory, const std::vector<process::MeasuredFile>& measured) {
   const auto comparison = process::collect(directory, measures_against(measured));
   std::vector<std::filesystem::path> written = {"comparison.json", "comparison.csv"};
@@ -105,23 +134,31 @@ int export_jobs(const CompareArguments& arguments) {
   const auto list = jobs_in(directory, arguments, variants);
   write_output([&] { process::write_job_scripts(directory, list, print_note); });
   std::printf(
-      "%zu runs in %s; copy it to where they should run and start them there:\n"
+      "%zu %s in %s; copy it to where they should run and start them there:\n"
       "  sbatch slurm.sh                                 on a Slurm cluster\n"
       "  xargs -d '\\n' -n 1 -P 4 sh -c < jobs.txt        on one machine (or ./run_here.sh 4)\n"
       "then run diefill compare --collect %s\n",
-      list.jobs.size(), directory.string().c_str(), directory.string().c_str());
+      list.jobs.size(), list.jobs.size() == 1 ? "run" : "runs", directory.string().c_str(),
+      directory.string().c_str());
   return kDone;
+}
+
+int collect_only(const CompareArguments& arguments, const std::vector<process::MeasuredFile>& measured) {
+  refuse_overwriting(arguments, "--collect", arguments.collect_from);
+  if (!arguments.scene.empty()) require_runs_of(arguments.scene, arguments.collect_from);
+  return gather(arguments.collect_from, measured);
 }
 
 int compare(const CompareArguments& arguments) {
   const auto measured = process::read_measured_files(arguments.measured);
-  if (!arguments.collect_from.empty()) return gather(arguments.collect_from, measured);
+  if (!arguments.collect_from.empty()) return collect_only(arguments, measured);
   if (arguments.scene.empty())
     throw process::SceneError("SCENE: missing; give a scene file, or --collect with a directory of runs");
   if (!arguments.export_to.empty()) return export_jobs(arguments);
   const std::filesystem::path directory =
       arguments.out.empty() ? default_directory(arguments.scene) : std::filesystem::path(arguments.out);
   require_directory(directory);
+  refuse_overwriting(arguments, "--out", directory);
   const auto variants = checked_variants(arguments);
   const OutputDirectory output(directory, {"tools", "beginnings"});
   const auto list = jobs_in(directory, arguments, variants);
@@ -167,7 +204,10 @@ void add_compare(CLI::App& program, Action& chosen) {
       ->add_option("--collect", arguments->collect_from,
                    "do not run: collect the results of such a directory")
       ->excludes(exporting)
-      ->excludes("--setting");
+      ->excludes("--setting")
+      ->excludes("--seeds")
+      ->excludes("--jobs")
+      ->excludes("--out");
   command->footer(
       "Examples:\n"
       "  diefill compare sample_tools/narrow_ring/strategies.toml --jobs 2 --seeds 3\n"

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -27,14 +28,18 @@ double seconds_since(std::chrono::steady_clock::time_point then) {
 }
 
 /// m. Throws process::SceneError.
-double diameter(const std::string& text) {
+double diameter(const std::string& text, const process::Scene& scene) {
   constexpr double kMin = 1e-6, kMax = 1e-2;
-  return bounded_quantity("--particle-diameter", text, process::Dimension::length, {kMin, kMax, false, ""});
+  const double grain = process::largest_grain(scene);
+  return bounded_quantity("--particle-diameter", text, process::Dimension::length,
+                          {kMin, std::min(grain, kMax), false, grain < kMax ? "the scene's grains" : ""});
 }
 
-process::estimate::EstimateOptions options_of(const EstimateArguments& arguments) {
+process::estimate::EstimateOptions options_of(const EstimateArguments& arguments,
+                                              const process::Scene& scene) {
   process::estimate::EstimateOptions options;
-  if (!arguments.particle_diameter.empty()) options.particle_diameter = diameter(arguments.particle_diameter);
+  if (!arguments.particle_diameter.empty())
+    options.particle_diameter = diameter(arguments.particle_diameter, scene);
   if (!arguments.discharge.empty()) options.law = process::estimate::read_discharge(arguments.discharge);
   return options;
 }
@@ -66,10 +71,10 @@ void print_variants(const std::vector<VariantEstimate>& variants) {
 }
 
 int run_estimate(const EstimateArguments& arguments) {
-  const auto options = options_of(arguments);
   const process::Scene scene = arguments.variant.empty()
                                    ? chosen_scene(arguments.scene, arguments.setting, arguments.changes)
                                    : chosen_variant(arguments.scene, arguments.variant, arguments.setting);
+  const auto options = options_of(arguments, scene);
   auto began = std::chrono::steady_clock::now();
   const process::Tooling tooling = tooling_of(scene);
   const double reading = seconds_since(began);
@@ -103,9 +108,11 @@ void add_estimate(CLI::App& program, Action& chosen) {
   add_setting(*command, arguments->setting);
   auto* changes = add_changes(*command, arguments->changes);
   add_variant(*command, arguments->variant)->excludes(changes);
-  command->add_option("--particle-diameter", arguments->particle_diameter,
-                      "size of the real particles, such as '80 um', for the effect of air (default: that of "
-                      "[suction]; 0.1 mm for presets)");
+  command->add_option(
+      "--particle-diameter", arguments->particle_diameter,
+      "size of the real particles, such as '80 um', at most the scene's grains, for the effect of "
+      "air (default: that of "
+      "[suction]; 0.1 mm for presets)");
   command->add_option(
       "--discharge", arguments->discharge,
       "fit.json of diefill fit-discharge (law 5.17, 5.18, transient or beverloo-slit): the law of "

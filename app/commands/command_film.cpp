@@ -13,6 +13,7 @@
 #include "app/exit_code.h"
 #include "app/options/numbers.h"
 #include "app/options/output_file.h"
+#include "app/options/results_directories.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/pictures/film_file.h"
@@ -49,9 +50,14 @@ PictureRequest request_of(const FilmArguments& arguments) {
                               " directories, at most " + std::to_string(kMaxRunsInAFilm) +
                               " go into one film");
   PictureRequest request;
-  const auto names = source_names({arguments.directories.begin(), arguments.directories.end()});
+  const std::vector<fs::path> directories(arguments.directories.begin(), arguments.directories.end());
+  require_distinct("DIR", directories);
+  const auto names = source_names(directories);
   for (std::size_t k = 0; k < names.size(); ++k)
-    request.sources.push_back({names[k], results::read_results(arguments.directories[k]), ""});
+    request.sources.push_back({names[k], results::read_results(directories[k]), ""});
+  std::vector<ReadDirectory> read;
+  for (std::size_t k = 0; k < names.size(); ++k) read.push_back({directories[k], &request.sources[k].result});
+  require_no_copies("DIR", read);
   std::tie(request.lower, request.upper) = range_of(arguments.look);
   request.colour_by = arguments.look.colour_by;
   request.look = look_of(arguments.look);

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/backup_notes.h"
 #include "app/commands/formula_commands.h"
 #include "app/exit_code.h"
 #include "app/options/choices.h"
@@ -12,9 +13,11 @@
 #include "app/pictures/drawing.h"
 #include "app/tables/discharge_fit_report.h"
 #include "app/tables/json_text.h"
+#include "process/compare/backups.h"
 #include "process/continuum/discharge_table.h"
 #include "process/input/scene_error.h"
 #include "process/results/storage/atomic_file.h"
+#include "process/results/storage/file_contents.h"
 
 namespace diefill::app {
 
@@ -69,10 +72,19 @@ continuum::DischargeFit fitted(const std::string& file, DischargeLaw law,
   }
 }
 
+const std::vector<std::string> kFiles = {"fit.json", "fit.csv", "fit.png"};
+
+/// Moves away what a fit of other data or another program has left under these names.
+void keep_earlier_fit(const std::filesystem::path& out, const std::string& json) {
+  if (results::contents_or_nothing(out / kFiles.front()) == json) return;
+  if (const auto folder = process::back_up_files(out, kFiles))
+    print_note("note: earlier files of these names were moved to " + folder->string());
+}
+
 int run_fit(const FitArguments& arguments) {
   const std::filesystem::path out = arguments.out;
   require_directory(out);
-  require_other_files("--out", out, {"fit.json", "fit.csv", "fit.png"}, {arguments.file});
+  require_other_files("--out", out, kFiles, {arguments.file});
   const DischargeLaw law = wanted_law(arguments);
   const auto data = continuum::read_discharge_table(arguments.file, law, common_of(arguments));
   const auto fit = fitted(arguments.file, law, data);
@@ -80,7 +92,9 @@ int run_fit(const FitArguments& arguments) {
   const OutputDirectory own(out);
   set_up_drawing();
   write_output([&] {
-    results::write_text_atomically(out / "fit.json", json_text(json) + "\n");
+    const std::string text = json_text(json) + "\n";
+    keep_earlier_fit(out, text);
+    results::write_text_atomically(out / "fit.json", text);
     results::write_text_atomically(out / "fit.csv", fit_as_csv(fit, data));
     draw_discharge(out / "fit.png", fit, data);
   });
@@ -115,7 +129,9 @@ void add_fit_discharge(CLI::App& program, Action& chosen) {
   command->add_option("--until", arguments->until,
                       "law transient: leave out what was recorded after this time, such as '0.6 s', on the "
                       "clock of --opened: a hopper that is empty no longer shows how powder flows");
-  command->add_option("--out", arguments->out, "directory for fit.json, fit.csv and fit.png")
+  command
+      ->add_option("--out", arguments->out,
+                   "directory for fit.json, fit.csv and fit.png; another fit's move to previous-1, ... in it")
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "print fit.json too, SI units");
   command->footer(

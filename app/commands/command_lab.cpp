@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "app/commands/commands.h"
@@ -55,7 +56,11 @@ void print(const results::ExperimentResult& result) {
   std::printf("%s: %s (%.1f s of processor time)\n", result.name.c_str(), result.question.c_str(),
               result.cpu_seconds);
   for (const auto& limit : result.limits) {
-    std::printf("  %s: %.4g %s", limit.name.c_str(), limit.measured, limit.unit.c_str());
+    std::printf("  %s: ", limit.name.c_str());
+    if (std::isnan(limit.measured))
+      std::printf("no value");
+    else
+      std::printf("%.4g %s", limit.measured, limit.unit.c_str());
     if (limit.predicted == limit.predicted)
       std::printf(", predicted %.4g (%s)", limit.predicted, limit.source.c_str());
     std::printf("\n");

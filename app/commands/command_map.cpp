@@ -7,6 +7,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/measured_region.h"
+#include "app/commands/options_in_use.h"
 #include "app/commands/view_options.h"
 #include "app/exit_code.h"
 #include "app/options/numbers.h"
@@ -36,6 +37,7 @@ struct MapArguments {
   std::vector<std::string> directories, pictures, origin, measured, y;
   std::string x, out, averaging_width, normal, from, to;
   ViewArguments look;
+  std::vector<std::string> given;  ///< of options_of_some_kinds()
   int cavity = 1;
   bool pdf = false, time_average = false;
 };
@@ -214,14 +216,29 @@ void draw_each(const PictureRequest& request, const std::vector<std::string>& pi
   if (!failed.empty()) throw process::SceneError(failed);
 }
 
+/// Throws where --measured goes with what it does not compare.
+void require_one_result(const MapArguments& arguments) {
+  if (arguments.measured.empty()) return;
+  std::string found;
+  if (arguments.directories.size() > 1)
+    found = std::to_string(arguments.directories.size()) + " results directories";
+  else if (!arguments.pictures.empty())
+    found = "--picture " + arguments.pictures.front();
+  else if (!arguments.x.empty() || !arguments.y.empty())
+    found = arguments.x.empty() ? "--y" : "--x";
+  if (found.empty()) return;
+  throw process::SceneError("--measured: found " + found +
+                            ", allowed: one results directory, without --picture, --x and --y");
+}
+
 int map(MapArguments arguments) {
+  require_one_result(arguments);
   choose_probe_chart(arguments);
   for (const auto& name : arguments.pictures)
     picture_kind(name);  // reports a wrong name before anything is read
   require_averages(arguments);
+  require_in_use(arguments.given, {arguments.pictures, !arguments.measured.empty(), arguments.time_average});
   const auto measured = process::read_measured_files(arguments.measured);
-  if (!measured.empty() && (arguments.directories.size() > 1 || !arguments.pictures.empty()))
-    throw process::SceneError("--measured: compares one results directory with data, without --picture");
   if (!arguments.out.empty()) require_directory(arguments.out);
   if (arguments.pictures.empty() && arguments.directories.size() > 1)
     throw process::SceneError("several results directories: add --picture to choose what to draw");
@@ -317,7 +334,11 @@ void add_map(CLI::App& program, Action& chosen) {
   add_view_options(*command, arguments->look);
   command->add_flag("--pdf", arguments->pdf, "also write charts as PDF");
   command->footer(kinds_text() + kExamples);
-  command->callback([arguments, &chosen] { chosen = [arguments] { return map(*arguments); }; });
+  command->callback([arguments, command, &chosen] {
+    for (const auto& option : options_of_some_kinds())
+      if (command->count(option) > 0) arguments->given.push_back(option);
+    chosen = [arguments] { return map(*arguments); };
+  });
 }
 
 }  // namespace diefill::app

@@ -47,7 +47,7 @@ std::vector<std::pair<std::string, std::string>> runs_listed_in(const fs::path& 
     const auto comparison = nlohmann::json::parse(stream);
     for (const auto& run : comparison.at("runs"))
       runs.emplace_back(run.at("folder").get<std::string>(), run.at("variant").get<std::string>());
-  } catch (const nlohmann::json::exception&) {
+  } catch (const std::exception&) {  // also std::ios_base::failure, of a directory of that name
     throw process::SceneError(file.string() +
                               ": not a comparison written by diefill; give another directory, or run the "
                               "comparison again");

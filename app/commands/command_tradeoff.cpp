@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <thread>
@@ -7,6 +6,7 @@
 #include "app/backup_notes.h"
 #include "app/commands/commands.h"
 #include "app/commands/live_jobs.h"
+#include "app/commands/tradeoff_targets.h"
 #include "app/exit_code.h"
 #include "app/options/numbers.h"
 #include "app/output.h"
@@ -33,20 +33,6 @@ struct TradeoffArguments {
   bool variants = false, quiet = false;
 };
 
-/// "NAME=VALUE" as a pair. Throws SceneError for anything else.
-std::pair<std::string, double> read_target(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  double value = 0;
-  if (equals != std::string::npos) {
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(text.data() + equals + 1, end, value);
-    if (read.ec == std::errc() && read.ptr == end && std::isfinite(value))
-      return {text.substr(0, equals), value};
-  }
-  throw process::SceneError("--target: found \"" + text +
-                            "\", expected NAME=NUMBER in the unit of the CSV, such as filled_mass=12.5");
-}
-
 /// The command as one would type it again.
 std::string command_text(const TradeoffArguments& arguments) {
   std::string words = "diefill tradeoff " + arguments.scene;
@@ -64,11 +50,11 @@ std::string command_text(const TradeoffArguments& arguments) {
   return words;
 }
 
-process::TradeoffOptions options_of(const TradeoffArguments& arguments) {
+process::TradeoffOptions options_of(const TradeoffArguments& arguments, const process::Scene& scene) {
   process::TradeoffOptions options;
   options.directory = arguments.out.empty() ? default_directory(arguments.scene, "_tradeoff")
                                             : std::filesystem::path(arguments.out);
-  for (const auto& text : arguments.targets) options.targets.insert(read_target(text));
+  options.targets = read_targets(arguments.targets, scene);
   options.seeds = arguments.seeds;
   options.tolerance = 0.01 * arguments.tolerance;
   options.reference = arguments.reference;
@@ -120,7 +106,7 @@ std::vector<std::string> write_all(const std::filesystem::path& directory,
 int trade_off(const TradeoffArguments& arguments) {
   const auto scene = process::read_scene(arguments.scene);
   process::refuse_excessive_work(scene);
-  auto options = options_of(arguments);
+  auto options = options_of(arguments, scene);
   require_directory(options.directory);
   std::vector<process::KnobValues> knobs;
   for (const auto& text : arguments.vary) knobs.push_back(process::read_vary(text));
@@ -157,8 +143,10 @@ void add_options(CLI::App& command, TradeoffArguments& arguments) {
                   "accepted error in percent where the scatter over seeds is smaller (default: 2)")
       ->check(number_within(0.0, 100.0));
   command
-      .add_option("--target", arguments.targets,
-                  "NAME=VALUE: compare a quantity (its key in tradeoff.json) with a published value")
+      .add_option(
+          "--target", arguments.targets,
+          "NAME=VALUE: compare a quantity (its key in tradeoff.json) with a published value, in the unit of "
+          "tradeoff.csv or with a unit behind it; repeat for more quantities")
       ->allow_extra_args(false);
   command.add_option("--reference", arguments.reference,
                      "reference setting (default: the most expensive one that only refines)");

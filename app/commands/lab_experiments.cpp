@@ -21,6 +21,7 @@
 #include "app/pictures/drawing.h"
 #include "app/stop_signals.h"
 #include "app/tables/lab_table_text.h"
+#include "process/compare/backups.h"
 #include "process/input/sample_tools.h"
 #include "process/input/scene_error.h"
 #include "process/input/shell_word.h"
@@ -29,6 +30,7 @@
 #include "process/laboratory/published/fidelity.h"
 #include "process/laboratory/published/kept_results.h"
 #include "process/laboratory/published/lab_folder.h"
+#include "process/laboratory/published/lab_powder.h"
 #include "process/laboratory/published/perform.h"
 #include "process/results/storage/atomic_file.h"
 #include "render/charts/experiment_chart.h"
@@ -47,6 +49,7 @@ constexpr const char* kRemarks = "remarks.csv";
 constexpr const char* kComparisons = "comparisons.csv";
 constexpr const char* kPages = "../../process/laboratory";  // seen from the scenes
 constexpr const char* kSheet = "powder_sheet";
+constexpr const char* kWithFilms = "wire_sawing";  // whose runs keep their grains over time
 constexpr const char* kSizes[] = {"coarse", "medium", "published"};
 
 struct LabArguments {
@@ -91,6 +94,17 @@ laboratory::LabJobs jobs_of(const LabArguments& arguments, const fs::path& direc
   return jobs;
 }
 
+/// Folders are called by the names of powder files, which may be the same: tables of another powder are moved
+/// away.
+void keep_tables_of_other_powder(const fs::path& directory, const laboratory::SceneExperiment& experiment,
+                                 const LabArguments& arguments) {
+  if (arguments.powder.empty()) return;
+  write_output([&] {
+    if (laboratory::holds_runs_of_other_scenes(experiment, setting_of(arguments), directory, arguments.seeds))
+      note_moved_results(process::back_up_tables(directory));
+  });
+}
+
 /// Runs it into `directory`, prints and writes its table and charts.
 laboratory::LabOutcome perform_into(const fs::path& directory, const laboratory::SceneExperiment& experiment,
                                     const LabArguments& arguments) {
@@ -98,6 +112,7 @@ laboratory::LabOutcome perform_into(const fs::path& directory, const laboratory:
   const auto figures = laboratory::read_published_figures(setting.scenes / laboratory::kPublishedFigures);
   make_output_directory(directory);
   const OutputDirectory output(directory, {"tools", "beginnings"});
+  keep_tables_of_other_powder(directory, experiment, arguments);
   laboratory::LabOutcome outcome;
   write_output(
       [&] { outcome = laboratory::perform(experiment, setting, figures, jobs_of(arguments, directory)); });
@@ -141,16 +156,21 @@ void make_films(const fs::path& directory, const laboratory::SceneExperiment& on
   }
 }
 
+/// kFailed where a quantity has no value.
+int exit_code_of(const results::LabTable& table) {
+  const auto has_value = [](const results::LabRow& row) { return !row.values.empty(); };
+  return std::all_of(table.rows.begin(), table.rows.end(), has_value) ? kDone : kFailed;
+}
+
 int experiment(const laboratory::SceneExperiment& one, const LabArguments& arguments) {
+  laboratory::require_use_of_powder(one, setting_of(arguments));
   set_up_drawing();
   const fs::path directory = folder_of(all_of(arguments), one.name, arguments);
   const auto table = perform_into(directory, one, arguments).table;
   std::printf("in %s: %s.csv, %s.json, charts\n", directory.string().c_str(), one.name.c_str(),
               one.name.c_str());
   make_films(directory, one, arguments);
-  for (const auto& row : table.rows)
-    if (row.values.empty()) return kFailed;
-  return kDone;
+  return exit_code_of(table);
 }
 
 /// The tables below `all`, coarse ones first.
@@ -212,7 +232,7 @@ int powder_sheet(const LabArguments& arguments) {
     results::write_text_atomically(directory / "data_sheet.pdf", render::report::pdf_pages(document));
   });
   std::printf("in %s: data_sheet.html, data_sheet.pdf, %s.json\n", directory.string().c_str(), kSheet);
-  return kDone;
+  return exit_code_of(outcome.table);
 }
 
 void add_options(CLI::App& command, LabArguments& arguments) {
@@ -232,6 +252,45 @@ void add_options(CLI::App& command, LabArguments& arguments) {
       "folder of the laboratory's scenes (default: sample_tools/laboratory that comes with the program)");
   command.add_flag("--collect", arguments.collect, "do not run: only what is finished");
   command.add_flag("--quiet", arguments.quiet, "print no progress");
+}
+
+void add_experiment(CLI::App& lab, const laboratory::SceneExperiment& one, Action& chosen) {
+  auto* command = lab.add_subcommand(one.name, one.question);
+  auto arguments = std::make_shared<LabArguments>();
+  add_options(*command, *arguments);
+  command
+      ->add_option("--powder", arguments->powder,
+                   "powder file, or scene with the powder, in place of the experiment's powder; refused by "
+                   "experiments with powders of their own")
+      ->check(CLI::ExistingFile);
+  if (one.name == kWithFilms)
+    command->add_flag("--film", arguments->film, "make films of the runs, which keep their grains");
+  command->footer("Example:\n  diefill lab " + one.name + " --seeds 3 --budget 20");
+  command->callback(
+      [arguments, &one, &chosen] { chosen = [arguments, &one] { return experiment(one, *arguments); }; });
+}
+
+void add_powder_sheet(CLI::App& lab, Action& chosen) {
+  auto* sheet = lab.add_subcommand("powder", "Data sheet of a powder: density, flow, angles, discharge");
+  auto of_sheet = std::make_shared<LabArguments>();
+  add_options(*sheet, *of_sheet);
+  sheet->add_option("FILE", of_sheet->powder, "powder file, as diefill calibrate writes it")
+      ->required()
+      ->check(CLI::ExistingFile);
+  sheet->footer("Example:\n  diefill lab powder my_powder.toml --out out/lab");
+  sheet->callback([of_sheet, &chosen] { chosen = [of_sheet] { return powder_sheet(*of_sheet); }; });
+}
+
+void add_fidelity(CLI::App& lab, Action& chosen) {
+  auto* page = lab.add_subcommand("fidelity", "Run all experiments with scenes and write FIDELITY.md");
+  auto arguments = std::make_shared<LabArguments>();
+  add_options(*page, *arguments);
+  page->add_option("--page", arguments->page,
+                   "file to write (default: process/laboratory/FIDELITY.md of a source tree that may be "
+                   "written, else FIDELITY.md in the folder of --out); kept_results.csv beside it, with the "
+                   "values of all calls, is rewritten too");
+  page->footer("Example:\n  diefill lab fidelity --collect --page out/FIDELITY.md");
+  page->callback([arguments, &chosen] { chosen = [arguments] { return fidelity(*arguments); }; });
 }
 
 }  // namespace
@@ -263,32 +322,9 @@ std::string list_of_experiments(const std::string& scenes) {
 }
 
 void add_lab_experiments(CLI::App& lab, Action& chosen) {
-  for (const auto& one : laboratory::scene_experiments()) {
-    auto* command = lab.add_subcommand(one.name, one.question);
-    auto arguments = std::make_shared<LabArguments>();
-    add_options(*command, *arguments);
-    command
-        ->add_option("--powder", arguments->powder,
-                     "powder file, or scene with the powder, in place of the experiment's powders")
-        ->check(CLI::ExistingFile);
-    command->add_flag("--film", arguments->film, "make films of runs that keep their grains (wire_sawing)");
-    command->callback(
-        [arguments, &one, &chosen] { chosen = [arguments, &one] { return experiment(one, *arguments); }; });
-  }
-  auto* sheet = lab.add_subcommand("powder", "Data sheet of a powder: density, flow, angles, discharge");
-  auto of_sheet = std::make_shared<LabArguments>();
-  add_options(*sheet, *of_sheet);
-  sheet->add_option("FILE", of_sheet->powder, "powder file, as diefill calibrate writes it")
-      ->required()
-      ->check(CLI::ExistingFile);
-  sheet->callback([of_sheet, &chosen] { chosen = [of_sheet] { return powder_sheet(*of_sheet); }; });
-  auto* page = lab.add_subcommand("fidelity", "Run all experiments with scenes and write FIDELITY.md");
-  auto arguments = std::make_shared<LabArguments>();
-  add_options(*page, *arguments);
-  page->add_option("--page", arguments->page,
-                   "file to write (default: process/laboratory/FIDELITY.md of a source tree that may be "
-                   "written, else FIDELITY.md in the folder of --out)");
-  page->callback([arguments, &chosen] { chosen = [arguments] { return fidelity(*arguments); }; });
+  for (const auto& one : laboratory::scene_experiments()) add_experiment(lab, one, chosen);
+  add_powder_sheet(lab, chosen);
+  add_fidelity(lab, chosen);
 }
 
 }  // namespace diefill::app

@@ -69,13 +69,20 @@ fs::path write_folder(const fs::path& given, const std::function<void(const fs::
     throw process::SceneError(name + ": a file or folder of this name already exists; choose another name");
   require_directory(folder, "NAME");
   const fs::path temporary = name + '.' + std::to_string(getpid()) + ".tmp";
+  const auto clean_up = [&temporary] {
+    std::error_code ignored;
+    fs::remove_all(temporary, ignored);
+  };
   try {
     fs::create_directories(temporary);
     fill(temporary);
     fs::rename(temporary, folder);
+  } catch (const fs::filesystem_error& error) {  // its text names the temporary folder
+    clean_up();
+    throw std::runtime_error(name + ": cannot be written: " + error.code().message() +
+                             "; choose another place");
   } catch (const std::exception& error) {
-    std::error_code ignored;
-    fs::remove_all(temporary, ignored);
+    clean_up();
     throw std::runtime_error(name + ": cannot be written: " + error.what());
   }
   return folder / "fill.toml";

@@ -70,11 +70,12 @@ render::SceneLook look_of(const ViewArguments& arguments) {
 }
 
 void add_view_options(CLI::App& command, ViewArguments& arguments) {
+  constexpr double kLargest = 1e9;  // in any unit of a colour scale
   command
       .add_option("--range", arguments.range,
                   "limits of the colour scale, such as 0.3 0.42; for a difference, minus and plus the second")
       ->expected(2)
-      ->check(finite_number());
+      ->check(number_within(-kLargest, kLargest));
   command.add_option("--colour-by", arguments.colour_by, "colour of grains in views and frames")
       ->check(one_of(grain_colours()))
       ->capture_default_str();

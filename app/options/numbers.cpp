@@ -56,8 +56,4 @@ CLI::Validator number_above_zero() {
   return finite("a finite number above 0", "POSITIVE", [](double value) { return value > 0; });
 }
 
-CLI::Validator finite_number() {
-  return finite("a finite number", "", [](double) { return true; });
-}
-
 }  // namespace diefill::app

@@ -14,7 +14,4 @@ CLI::Validator number_within(double least, double most);
 /// For options that hold a finite number above 0.
 CLI::Validator number_above_zero();
 
-/// For options that hold any finite number.
-CLI::Validator finite_number();
-
 }  // namespace diefill::app

@@ -51,10 +51,16 @@ void require_output_file(const OutputFile& output, const std::vector<fs::path>& 
 
 void require_other_files(const std::string& option, const fs::path& directory,
                          const std::vector<std::string>& names, const std::vector<fs::path>& inputs) {
-  for (const auto& name : names)
+  for (const auto& name : names) {
+    const std::string found = option + ": found \"" + directory.string() + "\", whose " + name;
     if (is_input(directory / name, inputs))
-      throw process::SceneError(option + ": found \"" + directory.string() + "\", whose " + name +
-                                " the command reads and would overwrite; choose another directory");
+      throw process::SceneError(found + " the command reads and would overwrite; choose another directory");
+    std::error_code none;
+    if (fs::is_directory(directory / name, none))
+      throw process::SceneError(found +
+                                " is a directory, where the command writes a file; rename it, or choose "
+                                "another directory");
+  }
 }
 
 void make_directory_of(const OutputFile& output) {

@@ -23,7 +23,8 @@ std::string ending_of(const std::filesystem::path& file);
 /// link.
 void require_output_file(const OutputFile& output, const std::vector<std::filesystem::path>& inputs);
 
-/// The same for files `names` that the command writes into a directory of `option`.
+/// Throws process::SceneError where one is an input or a directory, for files `names` that the command writes
+/// into a directory of `option`.
 void require_other_files(const std::string& option, const std::filesystem::path& directory,
                          const std::vector<std::string>& names,
                          const std::vector<std::filesystem::path>& inputs);

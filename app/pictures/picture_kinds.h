@@ -40,12 +40,21 @@ struct PictureRequest {
 /// Whether a picture may show the powder of several instants at once (process/measure/fields/time_average.h).
 enum class OverTime { one_instant, average };
 
+/// Options that change the pictures of a kind; of others it has none.
+struct UsedOptions {
+  bool plane = false;             ///< --origin, --normal
+  bool from = false, to = false;  ///< without --time-average
+  bool range = false;             ///< of colours, or of the length of arrows
+  bool look = false;              ///< --colour-by, --tools, --camera, --ambient-occlusion
+};
+
 /// A kind: its name on the command line, what it shows, and how it is made. Returns the files written. Throws
 /// std::invalid_argument where the results do not hold what it needs.
 struct PictureKind {
   const char* name;
   const char* shows;
   OverTime over_time;
+  UsedOptions used;
   std::vector<std::filesystem::path> (*make)(const PictureRequest&);
 };
 

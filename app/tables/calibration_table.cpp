@@ -55,11 +55,21 @@ std::string measurements_of(const results::Calibration& calibration) {
   return lines;
 }
 
+/// What to do where no powder was found, or no effect.
+std::string remedy_of(const results::Calibration& calibration) {
+  const bool over_budget = calibration.stopped == "the budget is used";
+  if (over_budget) return "the same command with --resume and a larger --budget goes on";
+  if (calibration.open_runs > 0) return "finish the runs, then use --collect again";
+  return "see calibration_points.csv for runs without a value and calibration.json for the reasons; change "
+         "the "
+         "ranges or the scenes";
+}
+
 std::string screening_of(const results::Screening& screening) {
   std::string lines =
       std::to_string(screening.runs) + " runs, " +
       (screening.resolution == 0 ? "full factorial" : "resolution " + std::to_string(screening.resolution)) +
-      "; standard errors from " + screening.error_source + '\n';
+      (screening.quantities.empty() ? "" : "; standard errors from " + screening.error_source) + '\n';
   for (const auto& generator : screening.generators) lines += "generator " + generator + '\n';
   for (std::size_t q = 0; q < screening.quantities.size(); ++q) {
     const auto& quantity = screening.quantities[q];
@@ -86,7 +96,11 @@ std::string calibration_table(const results::Calibration& calibration) {
   }
   for (const auto& sentence : calibration.insights) lines += "- " + sentence + '\n';
   for (const auto& remark : calibration.remarks) lines += "note: " + remark + '\n';
-  return lines + "the search ended because " + calibration.stopped + '\n';
+  const bool screened = calibration.screening.runs > 0;
+  lines += "the search ended because " + calibration.stopped + '\n';
+  if (screened ? calibration.screening.quantities.empty() : !calibration.fitted)
+    lines += std::string(screened ? "no effects" : "no powder") + " found: " + remedy_of(calibration) + '\n';
+  return lines;
 }
 
 }  // namespace diefill::app

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "process/input/units.h"
+#include "process/powder/empty_annulus.h"
 #include "process/results/csv_field.h"
 #include "process/results/json_numbers.h"
 #include "process/results/rounding.h"
@@ -30,6 +31,12 @@ double deviation(const continuum::DischargeFit& fit, std::size_t k) {
 
 bool is_rate(continuum::DischargeLaw law) {
   return law == continuum::DischargeLaw::beverloo_round || law == continuum::DischargeLaw::beverloo_slit;
+}
+
+/// Grain diameters that an opening counts less: k where it is fitted.
+double annulus_of(const continuum::DischargeFit& fit) {
+  const bool fitted = std::find(fit.names.begin(), fit.names.end(), "k") != fit.names.end();
+  return fitted ? fit.number("k") : process::kEmptyAnnulus;
 }
 
 /// A factor of the flow, and between which values powders have it.
@@ -88,7 +95,9 @@ void add_transient_remarks(const continuum::DischargeFit& fit, std::vector<std::
     said.emplace_back(
         "the mass hardly rises in the last fifth of the time, as once the hopper is empty, which makes C_F "
         "and beta wrong; leave it out with --until");
-  said.emplace_back("points of one outflow are not independent: the deviations are lower bounds; repeat it");
+  said.emplace_back(
+      "the deviations follow from how the mass of this outflow scatters from point to point; another packing "
+      "of the powder may deviate by more: repeat it");
 }
 
 }  // namespace
@@ -134,7 +143,8 @@ void print_fit(const continuum::DischargeFit& fit, const continuum::DischargeDat
   else
     std::printf("which sets the deviations, as no errors are given\n");
   if (data.grain_diameter > 0)
-    std::printf("openings count as D - 1.4 d with d = %.4g mm\n", 1e3 * data.grain_diameter);
+    std::printf("openings count as D - %.4g d with d = %.4g mm\n", annulus_of(fit),
+                1e3 * data.grain_diameter);
   for (const auto& remark : remarks(fit)) std::printf("note: %s\n", remark.c_str());
 }
 

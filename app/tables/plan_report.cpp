@@ -158,7 +158,7 @@ Json needs_as_json(const plan::Needs& needs) {
   for (const auto& plane : needs.planes)
     json["mirror_planes"].push_back({{"normal", {plane.normal[0], plane.normal[1], plane.normal[2]}},
                                      {"offset_m", plane.offset},
-                                     {"spoiled_by", plane.spoiler}});
+                                     {"spoiled_by", plane.asymmetry}});
   json["laws"] = needs.laws.used;
   json["left_out"] = needs.laws.left_out;
   return json;

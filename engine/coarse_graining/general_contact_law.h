@@ -63,6 +63,8 @@ class GeneralContactLaw {
   static std::vector<double> history_signs() {
     return {GeneralLaw::kHistorySigns.begin(), GeneralLaw::kHistorySigns.end()};
   }
+  /// As ComposedLaw::history_layout().
+  std::vector<std::uint32_t> history_layout() const { return law_.parts().history_layout(); }
 
  private:
   /// Forces that hold no energy which could be got back count as viscous: the attraction, and a normal force

@@ -127,6 +127,15 @@ class GrainLoop final : public PairLoop {
   }
 
   std::vector<double> history_signs() const override { return Law::history_signs(); }
+  std::vector<HistoryLayout> history_layouts() const override { return pairs_.history_layouts(); }
+  void clear_changed_history(Block& block, const std::vector<HistoryLayout>& next) const override {
+    const auto before = history_layouts();
+    GrainPairTable& table = block.grain_pairs;
+    table.change_touching([&](std::size_t p, double* remembered) {
+      const std::size_t law = pairs_.law_number(block, table.pair[p]);
+      clear_changed(remembered, before[law], next[law]);
+    });
+  }
   bool rolls() const override { return kRolls && pairs_.rolls(); }
   double range() const override { return pairs_.range(); }
 

@@ -14,6 +14,10 @@
 
 namespace diefill::engine {
 
+/// What becomes of other blocks while one is computed: they wait, or threads finish them, which changes the
+/// velocities and spins of their grains.
+enum class OtherBlocks { wait, finish };
+
 /// Spheres by their number in the block last taken in, grains by the number of their sum there
 /// (Block::slot_of): single spheres and their grains have the same.
 class LocalSpheres {
@@ -46,11 +50,15 @@ class LocalSpheres {
   }
 
   /// Takes in the block's own spheres and their partners as they are now. `instructions`: all give the same.
-  void take(const Block& block, const SphereField& spheres, InstructionSet instructions) {
+  void take(const Block& block, const SphereField& spheres, InstructionSet instructions,
+            OtherBlocks others = OtherBlocks::wait) {
     const std::size_t all = block.own_spheres() + block.partners.size();
     if (centres_.size() < all) centres_.resize(all);
     if (spheres.spheres_per_grain == 1) {
-      with_instructions(instructions, [&] { take_single(block, spheres); });
+      if (others == OtherBlocks::finish)
+        with_instructions(instructions, [&] { take_single<OtherBlocks::finish>(block, spheres); });
+      else
+        with_instructions(instructions, [&] { take_single<OtherBlocks::wait>(block, spheres); });
     } else {
       take_motion_about_reference(block, spheres);
       place_own(block, spheres, instructions);
@@ -68,6 +76,7 @@ class LocalSpheres {
   static constexpr std::size_t kSpin = 4;
 
   /// Grains are their spheres.
+  template <OtherBlocks kOthers>
   void take_single(const Block& block, const SphereField& spheres) {
     const std::size_t own = block.own_spheres(), partners = block.partners.size();
     if (motion_.size() < own + partners) motion_.resize(own + partners);
@@ -77,8 +86,8 @@ class LocalSpheres {
       if (sphere < last) {
         const SphereField::Single numbers = spheres.single(sphere);
         copy_three(numbers.centre, centres_[k].value);
-        copy_three(numbers.velocity, motion_[k].value);
-        copy_three(numbers.spin, motion_[k].value + kSpin);
+        copy_motion<kOthers>(numbers.velocity, motion_[k].value);
+        copy_motion<kOthers>(numbers.spin, motion_[k].value + kSpin);
       } else {
         put_centre(k, spheres.position(sphere));
         put_motion(k, spheres.motion(spheres.original(sphere)));
@@ -171,6 +180,15 @@ class LocalSpheres {
     Four numbers;
     load(numbers, from);
     drop_last(numbers);
+    store(numbers, to);
+  }
+  /// The same for a velocity or spin, the number behind which may be that of a grain that another thread
+  /// moves.
+  template <OtherBlocks kOthers>
+  static void copy_motion(const double* from, double* to) {
+    if constexpr (kOthers == OtherBlocks::wait) return copy_three(from, to);
+    Four numbers;
+    load_three(numbers, from);
     store(numbers, to);
   }
   void put_centre(std::size_t k, const Vector3& centre) { put(centre, centres_[k].value); }

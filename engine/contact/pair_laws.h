@@ -32,6 +32,9 @@ class MonodispersePairs {
   }
   double range() const { return law_.range(); }
   bool rolls() const { return law_.rolling_friction != 0; }
+  /// As PairLoop::history_layouts(), and the place of a pair's law among them.
+  std::vector<HistoryLayout> history_layouts() const { return {law_.history_layout()}; }
+  std::size_t law_number(const Block&, GrainPair) const { return 0; }
 
  private:
   Law law_;
@@ -57,6 +60,13 @@ class ClassPairs {
   bool rolls() const {
     return std::any_of(laws_.begin(), laws_.end(), [](const Law& law) { return law.rolling_friction != 0; });
   }
+  /// As in MonodispersePairs.
+  std::vector<HistoryLayout> history_layouts() const {
+    std::vector<HistoryLayout> layouts;
+    for (const Law& law : laws_) layouts.push_back(law.history_layout());
+    return layouts;
+  }
+  std::size_t law_number(const Block& block, GrainPair pair) const { return law_[classes(block, pair)]; }
 
  private:
   std::uint32_t count_;

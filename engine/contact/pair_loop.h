@@ -71,6 +71,11 @@ class PairLoop {
   /// For each number that a pair remembers: what it is multiplied by when the pair is seen from its other
   /// side.
   virtual std::vector<double> history_signs() const = 0;
+  /// Of each of the loop's laws, in an order that types and walls give.
+  virtual std::vector<HistoryLayout> history_layouts() const = 0;
+  /// Sets to 0 what the block's pairs remember and what means something else by the layouts `next`, which are
+  /// those of a loop for the same types and walls whose pairs remember as many numbers.
+  virtual void clear_changed_history(Block& block, const std::vector<HistoryLayout>& next) const = 0;
   /// Whether rolling loads of sums count.
   virtual bool rolls() const = 0;
   /// m, largest gap at which pairs act on each other.

@@ -75,6 +75,19 @@ class WallLoop final : public PairLoop {
   }
 
   std::vector<double> history_signs() const override { return Law::history_signs(); }
+  std::vector<HistoryLayout> history_layouts() const override {
+    std::vector<HistoryLayout> layouts;
+    for (const Law& law : laws_) layouts.push_back(law.history_layout());
+    return layouts;
+  }
+  void clear_changed_history(Block& block, const std::vector<HistoryLayout>& next) const override {
+    const auto before = history_layouts();
+    for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body)
+      for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
+        const std::size_t law = law_number(body, class_of(block, block.wall_pairs.pair[p]));
+        clear_changed(block.wall_pairs.history_of(p), before[law], next[law]);
+      }
+  }
   bool rolls() const override {
     return !kClumps && Lever<kArm>::kTurns &&
            std::any_of(laws_.begin(), laws_.end(), [](const Law& any) { return any.rolling_friction != 0; });
@@ -88,8 +101,11 @@ class WallLoop final : public PairLoop {
   static std::uint32_t class_of(const Block& block, const WallPair& pair) {
     return kSeveralClasses ? block.sphere_class[pair.own] : 0;
   }
+  std::size_t law_number(std::size_t body, std::uint32_t own_class) const {
+    return kSeveralClasses ? body * radii_.size() + own_class : body;
+  }
   const Law& law(std::size_t body, std::uint32_t own_class) const {
-    return laws_[kSeveralClasses ? body * radii_.size() + own_class : body];
+    return laws_[law_number(body, own_class)];
   }
   double reach(const ContactScene& scene, std::size_t body, std::uint32_t own_class) const {
     return radii_[own_class] + (mirror(body) ? radii_[own_class] : scene.bodies[body].sphere_radius());
@@ -224,13 +240,13 @@ class WallLoop final : public PairLoop {
       batch.spin_sum.set(lane, spin);
       if constexpr (Law::kRolls) batch.relative_spin.set(lane, spin - plain(pose.angular_velocity));
     }
-    if (mirror(body)) see_image(batch, lane);
+    if (mirror(body)) use_motion_against_image(batch, lane);
     recall(block.wall_pairs.history_of(touch.pair), batch, lane);
   }
 
   /// Makes the motion against a plane of symmetry that against the grain's image: it comes as fast from the
   /// other side, slides along, and spins the same way about the normal and the opposite way across it.
-  static void see_image(Batch& batch, std::size_t lane) {
+  static void use_motion_against_image(Batch& batch, std::size_t lane) {
     const Vector3 separation = batch.separation[lane], velocity = batch.velocity[lane];
     const double squared = dot(separation, separation);
     batch.velocity.set(lane, 2 * dot(velocity, separation) / squared * separation);

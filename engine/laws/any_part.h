@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
@@ -135,6 +136,15 @@ class AnyPart {
   }
   /// Place of the selected part in the list.
   std::size_t which() const { return which_; }
+  /// What number `k` of the history means: the same for the same part and unit; 0 where the part stores none.
+  std::uint32_t history_meaning(int k) const {
+    return with([&]<class Part>(const Part& part) -> std::uint32_t {
+      if (k >= Part::kHistory) return 0;
+      std::uint32_t unit = 0;
+      if constexpr (requires { part.history_unit(); }) unit = part.history_unit();
+      return 16 * unit + static_cast<std::uint32_t>(which_) + 1;
+    });
+  }
 
  protected:
   static constexpr int kMaxMemory = [] {

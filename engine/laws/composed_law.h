@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "engine/laws/parts.h"
 #include "engine/laws/reaction.h"
@@ -101,6 +102,17 @@ struct ComposedLaw {
          {normal.which(), damping.which(), friction.which(), rolling.which(), attraction.which()})
       form = 16 * form + static_cast<std::uint32_t>(place);
     return form;
+  }
+
+  /// What each number of the history means, 0 for none: laws that give a number the same meaning can go on
+  /// with each other's. For laws whose parts are selected at run time.
+  std::vector<std::uint32_t> history_layout() const {
+    std::vector<std::uint32_t> layout;
+    const auto append = [&]<class Part>(const Part& part) {
+      for (int k = 0; k < Part::kHistory; ++k) layout.push_back(part.history_meaning(k));
+    };
+    append(normal), append(friction), append(rolling), append(attraction);
+    return layout;
   }
 
   /// Force and torque at `state`; advances the pair's `history` (kHistory doubles) by one time step, so call

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "engine/laws/cohesion.h"
@@ -87,6 +88,8 @@ struct ContactLaw {
   double range() const { return 0; }
   /// Factors of the history's numbers when the pair is stored the other way round.
   static std::vector<double> history_signs() { return std::vector<double>(kHistory, -1.0); }
+  /// What each number of the history means: the spring of friction.
+  static std::vector<std::uint32_t> history_layout() { return std::vector<std::uint32_t>(kHistory, 1); }
 };
 
 }  // namespace diefill::engine::laws

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "engine/laws/parameter_check.h"
@@ -58,6 +59,7 @@ struct EdinburghNormal {
   static constexpr int kHistory = 2;  ///< u_p in m^n; k_adh in N/m^n
   static constexpr HistorySigns<2> kHistorySigns = {1, 1};
   static constexpr bool hysteretic() { return true; }
+  std::uint32_t history_unit() const { return root_share > 0 ? 1 : 0; }
   double unloading;      ///< N/m^n, k_2
   double plastic_share;  ///< u_p over h_max^n
   double plastic_depth;  ///< h_p over h_max

@@ -6,7 +6,8 @@
 // contact and the separation speed (v_i - v_j) . n positive when separating. `history` points to the part's
 // kHistory doubles of the pair; they are zero when a contact begins. `kHistorySigns` has one factor for each:
 // -1 where the number turns its sign when the pair is stored the other way round, i and j exchanged, as parts
-// of vectors do, otherwise 1.
+// of vectors do, otherwise 1. A part whose parameters decide in which unit it stores them has a
+// history_unit(), a small number for each unit.
 //
 // Each `Parameters` also knows
 //   check()      throws std::invalid_argument when a value makes no sense;

@@ -56,7 +56,8 @@ ContactMasses reduced(const ContactMasses& one, const ContactMasses& other);
 ContactMasses half_of_smaller(const ContactMasses& one, const ContactMasses& other);
 
 /// s, the smallest limit of `contacts` such contacts on these masses at once: 2 sqrt(m / k) of a spring, 2 m
-/// / c of a damper.
+/// / c of a damper. The damper's is that of a rebound of a few steps; in a contact that lasts it is stable up
+/// to half of that, and less beside a spring: stable_step().
 double step_limit(const ContactSprings& springs, const ContactMasses& masses, double contacts);
 
 /// s that a pair of reduced mass `mass` (kg) at 1.5 times the speed of escape takes to cross the steep part

@@ -74,8 +74,10 @@ class Chains {
 
 /// What is known of one chain.
 struct Chain {
-  std::vector<std::pair<std::size_t, std::size_t>> tools;  ///< body, and the grain that touches it
-  std::map<std::size_t, double> load;                      ///< sum of a grain's deep overlaps
+  /// Body, and the grain that touches it. A plane of symmetry is none: in the whole model the chain goes on
+  /// to its own image, and so ends on the same tools.
+  std::vector<std::pair<std::size_t, std::size_t>> tools;
+  std::map<std::size_t, double> load;  ///< sum of a grain's deep overlaps
   std::map<std::size_t, double> deepest;
 };
 
@@ -114,18 +116,18 @@ std::map<std::size_t, Chain> chains_of(const Simulation& simulation, double thre
   for (const auto& contact : contacts) {
     Chain& chain = found[chains.chain_of(contact.grain)];
     note(chain, contact.grain, contact.overlap);
-    if (contact.with_body)
-      chain.tools.emplace_back(contact.other, contact.grain);
-    else
+    if (!contact.with_body)
       note(chain, contact.other, contact.overlap);
+    else if (!simulation.bodies()[contact.other].mirror())
+      chain.tools.emplace_back(contact.other, contact.grain);
   }
   return found;
 }
 
 /// Grains to remove, each once.
-class GivenUp {
+class GrainsToRemove {
  public:
-  explicit GivenUp(const Simulation& simulation) : simulation_(simulation) {}
+  explicit GrainsToRemove(const Simulation& simulation) : simulation_(simulation) {}
 
   void add(std::size_t grain, double deepest) {
     const Grains& grains = simulation_.grains();
@@ -144,24 +146,25 @@ class GivenUp {
 };
 
 /// Of every chain beyond `limit` the most deeply pressed grain: the force laws are not valid for it any more.
-void give_up_deepest(const Simulation& simulation, double limit, GivenUp& given_up) {
+void remove_deepest(const Simulation& simulation, double limit, GrainsToRemove& to_remove) {
   for (const auto& [root, chain] : chains_of(simulation, kDeep * limit)) {
     if (!joins_moving_tools(chain, simulation) || largest(chain.deepest).second <= limit) continue;
     const std::size_t grain = largest(chain.load).first;
-    given_up.add(grain, chain.deepest.at(grain));
+    to_remove.add(grain, chain.deepest.at(grain));
   }
 }
 
 /// Of every chain for which the time step is unstable the grain of largest amplitude, unless a grain of the
 /// chain has been chosen already.
-void give_up_unstable(const Simulation& simulation, double limit, GivenUp& given_up) {
+void remove_unstable(const Simulation& simulation, double limit, GrainsToRemove& to_remove) {
   for (const auto& [root, chain] : chains_of(simulation, kShallow * limit)) {
     if (chain.load.size() > kLargestJam || !joins_moving_tools(chain, simulation)) continue;
     std::vector<std::size_t> grains;
     for (const auto& [grain, load] : chain.load) grains.push_back(grain);
-    if (std::any_of(grains.begin(), grains.end(), [&](std::size_t k) { return given_up.holds(k); })) continue;
+    if (std::any_of(grains.begin(), grains.end(), [&](std::size_t k) { return to_remove.holds(k); }))
+      continue;
     const StabilityUse use = stability_used(simulation, grains);
-    if (use.used >= 1) given_up.add(use.grain, chain.deepest.at(use.grain));
+    if (use.used >= 1) to_remove.add(use.grain, chain.deepest.at(use.grain));
   }
 }
 
@@ -169,10 +172,10 @@ void give_up_unstable(const Simulation& simulation, double limit, GivenUp& given
 
 std::vector<PinchedGrain> pinched_grains(const Simulation& simulation, double limit) {
   const double deepest = simulation.overlaps().any_over_radius();
-  GivenUp given_up(simulation);
-  if (deepest > limit) give_up_deepest(simulation, limit, given_up);
-  if (deepest > kShallow * limit) give_up_unstable(simulation, limit, given_up);
-  return given_up.by_id();
+  GrainsToRemove to_remove(simulation);
+  if (deepest > limit) remove_deepest(simulation, limit, to_remove);
+  if (deepest > kShallow * limit) remove_unstable(simulation, limit, to_remove);
+  return to_remove.by_id();
 }
 
 }  // namespace diefill::engine

@@ -20,8 +20,8 @@ struct PinchedGrain {
 
 /// Grains to remove so that none is pinched beyond the limits any more, by rising id. Overlaps are relative
 /// to the radius of the smaller sphere of grains. A grain is pinched if it lies on a chain of contacts that
-/// joins two tools of different velocity; a deep overlap alone, as from a fast impact on one wall, is not
-/// pinching. Two kinds of chains are beyond the limits:
+/// joins two tools of different velocity, of which a plane of symmetry is none; a deep overlap alone, as from
+/// a fast impact on one wall, is not pinching. Two kinds of chains are beyond the limits:
 /// - chains of contacts deeper than half the `limit`, one of them deeper than the limit, beyond which the
 ///   force laws are not valid: returns the most deeply pressed grain;
 /// - chains of contacts deeper than a quarter of the limit, so many that the time step is unstable for them

@@ -37,6 +37,12 @@ class MeetingPair {
   double shortest_at(double overlap) const { return step_limit(probe_.springs(overlap), meeting_, 1); }
   /// s, the same of a grain that others hold, on half of the smaller one.
   double shortest_held_at(double overlap) const { return step_limit(probe_.springs(overlap), packed_, 1); }
+  /// s, the longest stable step of one contact that stays at `overlap` (m).
+  double lasting_at(double overlap) const {
+    const ContactSprings springs = probe_.springs(overlap);
+    return std::min(stable_step(meeting_.normal, springs.normal, springs.damping),
+                    stable_step(meeting_.sliding, springs.tangential, springs.sliding_damping));
+  }
   /// s, of an impact at `speed` (m/s) and of a packing.
   double shortest(double speed) const {
     const double overlap = overlap_of_impact(speed);
@@ -73,6 +79,15 @@ void visit_pairs(const ParticleTypes& types, const ContactLaws& contact, const V
       visit(MeetingPair(types, contact, static_cast<ClassNumber>(i), static_cast<ClassNumber>(j)));
 }
 
+/// The same, and for every class at every wall.
+template <class Visit>
+void visit_pairs_and_walls(const ParticleTypes& types, const ContactLaws& contact,
+                           const std::vector<WallSurface>& walls, const Visit& visit) {
+  visit_pairs(types, contact, visit);
+  for (std::size_t own = 0; own < types.classes().size(); ++own)
+    for (const auto& wall : walls) visit(MeetingPair(types, contact, static_cast<ClassNumber>(own), wall));
+}
+
 ContactLaws among_themselves(const laws::LawParameters& law) {
   return {{{kPowderMaterial, kPowderMaterial, law}}, {}};
 }
@@ -94,13 +109,19 @@ double impact_overlap(const ParticleTypes& types, const ContactLaws& contact, Cl
 double critical_time_step(const ParticleTypes& types, const ContactLaws& contact,
                           const std::vector<WallSurface>& walls, double impact_speed) {
   double critical = kNoLimit;
-  const auto include = [&](const MeetingPair& pair) {
+  visit_pairs_and_walls(types, contact, walls, [&](const MeetingPair& pair) {
     critical = std::min(critical, pair.shortest(impact_speed));
-  };
-  visit_pairs(types, contact, include);
-  for (std::size_t own = 0; own < types.classes().size(); ++own)
-    for (const auto& wall : walls) include(MeetingPair(types, contact, static_cast<ClassNumber>(own), wall));
+  });
   return critical;
+}
+
+double lasting_contact_time_step(const ParticleTypes& types, const ContactLaws& contact,
+                                 const std::vector<WallSurface>& walls, double impact_speed) {
+  double longest = kNoLimit;
+  visit_pairs_and_walls(types, contact, walls, [&](const MeetingPair& pair) {
+    longest = std::min(longest, pair.lasting_at(pair.overlap_of_impact(impact_speed)));
+  });
+  return longest;
 }
 
 double critical_time_step_at_overlap(const ParticleTypes& types, const ContactLaws& contact, double overlap,

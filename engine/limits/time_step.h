@@ -35,13 +35,22 @@ double impact_overlap(const ParticleTypes& types, const ContactLaws& contact, Cl
 /// the reduced mass, lightened as forces on the grain's outermost point turn it, and rolling springs on the
 /// reduced moment of inertia; in a packing they act on half of the smaller grain, as if it lay among grains
 /// of its own size. Attraction from afar has the limit of crossing its steep part at 1.5 times the speed of
-/// escape. Throws what making the laws throws.
+/// escape. The limit of a damper is what a rebound of a few steps allows (STABILITY.md, damping), twice that
+/// of a contact that lasts: lasting_contact_time_step(). Throws what making the laws throws.
 double critical_time_step(const ParticleTypes& types, const ContactLaws& contact,
                           const std::vector<WallSurface>& walls, double impact_speed);
 
-/// The same for one contact among grains at overlaps of up to `overlap` (m) and `overlap_over_radius`, of the
-/// radius of the smaller sphere, on half of the smaller grain, which others may hold: what a run checks
-/// itself against. Which pair reached them does not matter: no pair has reached more.
+/// Longest stable time step (s) of one contact that lasts: the smallest stable_step() of all pairs of sphere
+/// classes, and of classes at `walls`, at the overlap of an impact at `impact_speed` (m/s), for the normal
+/// spring with its damper and the tangential spring with the damper of sliding, on the masses of
+/// critical_time_step(). Without springs it is m / c, and without dampers 2 sqrt(m / k); it is never below
+/// sqrt(2) - 1 of critical_time_step(). Throws what making the laws throws.
+double lasting_contact_time_step(const ParticleTypes& types, const ContactLaws& contact,
+                                 const std::vector<WallSurface>& walls, double impact_speed);
+
+/// The critical time step for one contact among grains at overlaps of up to `overlap` (m) and
+/// `overlap_over_radius`, of the radius of the smaller sphere, on half of the smaller grain, which others may
+/// hold: what a run checks itself against. Which pair reached them does not matter: no pair has reached more.
 double critical_time_step_at_overlap(const ParticleTypes& types, const ContactLaws& contact, double overlap,
                                      double overlap_over_radius);
 

@@ -50,7 +50,7 @@ double critical_of_impact(const Simulation& simulation, double speed) {
 }  // namespace
 
 void ValidityMonitor::warn_once(bool& warned, const std::string& warning) {
-  if (!warned) warnings_.push_back(warning);
+  if (!warned) state_.texts.push_back(warning);
   warned = true;
 }
 
@@ -94,12 +94,12 @@ void ValidityMonitor::check_overlap(const Simulation& simulation) {
 
 void ValidityMonitor::warn_of_overlap(double grains, double walls, double time) {
   if (grains > limits_.comfortable_overlap)
-    warn_once(warned_of_overlap_,
+    warn_once(state_.overlap,
               line("overlap among grains reached %.2f of the sphere radius by t = %.6g s; up to %.2f is "
                    "acceptable",
                    grains, time, limits_.comfortable_overlap));
   if (walls > limits_.forbidden_overlap)
-    warn_once(warned_of_pinch_,
+    warn_once(state_.pinch,
               line("a tool pinched a grain by t = %.6g s: overlap with a wall reached %.2f of the sphere "
                    "radius",
                    time, walls));
@@ -133,7 +133,7 @@ void ValidityMonitor::check_speed(const Simulation& simulation) {
   const double critical = critical_of_impact(simulation, 2 * fastest.speed);
   if (settings.time_step > limits_.comfortable_step * critical)
     warn_once(
-        warned_of_speed_,
+        state_.speed,
         line("%s moved at %.3g m/s at t = %.6g s: the critical step of its collisions is %.3g s; the run's "
              "step is %.3g s, and up to %.2f of the critical one is acceptable (STABILITY.md, time step)",
              who.c_str(), fastest.speed, simulation.time(), critical, settings.time_step,
@@ -152,7 +152,7 @@ void ValidityMonitor::check_contacts(const Simulation& simulation) {
         contacts, simulation.time(), deepest_text(simulation).c_str(), limits_.forbidden_contacts,
         simulation.settings().time_step));
   if (contacts > limits_.comfortable_contacts)
-    warn_once(warned_of_contacts_,
+    warn_once(state_.contacts,
               line("%.1f contacts a sphere at t = %.6g s; up to %.0f are acceptable, equal spheres have room "
                    "for 6",
                    contacts, simulation.time(), limits_.comfortable_contacts));
@@ -167,7 +167,7 @@ void ValidityMonitor::check_energy(const Simulation& simulation) {
              100 * error, simulation.time(), 100 * limits_.energy_error, simulation.settings().time_step,
              fastest_text(simulation).c_str()));
   if (error > limits_.comfortable_energy_error)
-    warn_once(warned_of_energy_,
+    warn_once(state_.energy,
               line("energy grew by %.1f %% of the energy exchanged with no work to explain it by t = %.6g s; "
                    "up to %.1f %% is acceptable (STABILITY.md, time step)",
                    100 * error, simulation.time(), 100 * limits_.comfortable_energy_error));

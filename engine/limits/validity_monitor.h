@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/numerics/out_of_range.h"
@@ -31,6 +32,12 @@ struct ValidityLimits {
   double comfortable_contacts = 8, forbidden_contacts = 30;
 };
 
+/// What a run has been warned of so far, each once: all that a restart needs.
+struct ValidityWarnings {
+  bool overlap = false, pinch = false, energy = false, speed = false, contacts = false;
+  std::vector<std::string> texts;  ///< in the order in which they came
+};
+
 /// Watches one run.
 class ValidityMonitor {
  public:
@@ -39,7 +46,10 @@ class ValidityMonitor {
   /// Checks the simulation as it is now; call every so many steps. Throws OutOfRange past a limit.
   void check(const Simulation& simulation);
   /// Warnings so far, each once.
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<std::string>& warnings() const { return state_.texts; }
+  const ValidityWarnings& state() const { return state_; }
+  /// Continues where another monitor of the run stopped: what it has warned of is not repeated.
+  void restore(ValidityWarnings state) { state_ = std::move(state); }
 
  private:
   void check_numbers(const Simulation& simulation) const;
@@ -52,9 +62,7 @@ class ValidityMonitor {
   void warn_once(bool& warned, const std::string& warning);
 
   ValidityLimits limits_;
-  bool warned_of_overlap_ = false, warned_of_pinch_ = false, warned_of_energy_ = false,
-       warned_of_speed_ = false, warned_of_contacts_ = false;
-  std::vector<std::string> warnings_;
+  ValidityWarnings state_;
 };
 
 }  // namespace diefill::engine

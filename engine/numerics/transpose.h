@@ -19,10 +19,19 @@ using Four = double __attribute__((vector_size(32)));
 /// processors before they know the instruction set; and what was written in pieces must reach the cache
 /// before it can be read as a whole.
 using FourInMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
+/// Half of it.
+using Two = double __attribute__((vector_size(16)));
+using TwoInMemory = double __attribute__((vector_size(16), aligned(8), may_alias));
 
 /// numbers = from[0], ..., from[3].
 inline void load(Four& numbers, const double* from) {
   numbers = *reinterpret_cast<const FourInMemory*>(from);
+}
+/// numbers = from[0], from[1], from[2], 0, where the number behind must not be read. In two loads: as fast as
+/// one, which three are not.
+inline void load_three(Four& numbers, const double* from) {
+  const Two first = *reinterpret_cast<const TwoInMemory*>(from);
+  numbers = __builtin_shufflevector(first, Two{from[2], 0}, 0, 1, 2, 3);
 }
 /// Writes the numbers back.
 inline void store(const Four& numbers, double* to) {

@@ -1,8 +1,21 @@
 #include "engine/powder/sphere_field.h"
 
+#include <limits>
+#include <stdexcept>
+#include <string>
+
 #include "engine/numerics/shared_ranges.h"
 
 namespace diefill::engine {
+
+void check_sphere_count(std::size_t spheres) {
+  // The last number stands for none.
+  constexpr std::size_t kMostSpheres = std::numeric_limits<std::uint32_t>::max() - 1;
+  if (spheres > kMostSpheres)
+    throw std::length_error(
+        "the powder has " + std::to_string(spheres) + " spheres with those of periodic images, of at most " +
+        std::to_string(kMostSpheres) + "; take larger grains, fewer spheres a grain or less powder");
+}
 
 void SphereField::reorder_motion(const std::vector<std::uint32_t>& order) {
   if (spheres_per_grain == 1) return;

@@ -134,4 +134,8 @@ struct SphereField {
   std::vector<Vector3> placed_;
 };
 
+/// Throws std::length_error for more spheres, those of images among them, than can be numbered in the tables
+/// of pairs, which have 32 bits for a number.
+void check_sphere_count(std::size_t spheres);
+
 }  // namespace diefill::engine

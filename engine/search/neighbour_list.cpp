@@ -193,7 +193,7 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
     if (!kMonodisperse && !spheres.exists(i)) continue;
     const Vector3 here = spheres.position(i);
     const std::uint32_t grain = i / per_grain;
-    const std::uint8_t swift = reference.doublings[grain];
+    const std::uint8_t doublings = reference.doublings[grain];
     const double radius = settings_.sphere_radii[kMonodisperse ? 0 : spheres.class_of(i)];
     const auto find = [&](const SizeLevel& level, std::size_t group) {
       const double passing = group == reference.group_of(grain) ? 0 : reference.passing;
@@ -204,8 +204,9 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
         // Every pair once: by the faster grain, which searches farther, else by the first; an image counts
         // for its owner.
         const auto [j, other] = near.member;
-        const std::uint8_t other_swift = reference.doublings[other];
-        if (other_swift > swift || (other_swift == swift && other <= grain) || other == grain) return;
+        const std::uint8_t other_doublings = reference.doublings[other];
+        if (other_doublings > doublings || (other_doublings == doublings && other <= grain) || other == grain)
+          return;
         const double touching_now =
             kMonodisperse ? touching
                           : radius + settings_.sphere_radii[spheres.class_of(j)] + settings_.law_range;

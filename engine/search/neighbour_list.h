@@ -38,7 +38,7 @@ struct ListReference {
   std::vector<Quaternion> orientation;    ///< of grains of several spheres
   std::vector<BodyMotion> bodies;
   double skin = 0;  ///< m, how much nearer two slow spheres may come before the list must be renewed
-  std::vector<std::uint8_t> doublings;  ///< of grains: how often half the skin is doubled for swift ones
+  std::vector<std::uint8_t> doublings;  ///< of grains: how often half the skin is doubled for fast ones
   /// m, how far each body may move against the drift of the first group; then the same for the second, if
   /// any.
   std::vector<double> body_allowance;

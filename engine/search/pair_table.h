@@ -56,6 +56,16 @@ void make_room(std::vector<Value>& values, std::size_t count) {
   values.reserve(count);
 }
 
+/// What each number means that a pair remembers by one law: equal numbers, equal meaning.
+using HistoryLayout = std::vector<std::uint32_t>;
+
+/// Sets to 0 those of the numbers `remembered` that do not mean the same in both layouts, which are of one
+/// length.
+inline void clear_changed(double* remembered, const HistoryLayout& before, const HistoryLayout& next) {
+  for (std::size_t k = 0; k < before.size(); ++k)
+    if (before[k] != next[k]) remembered[k] = 0;
+}
+
 /// Pairs with a memory of `width` numbers each; what a pair that does not touch remembers has no meaning.
 template <class Pair>
 struct PairTable {
@@ -157,6 +167,12 @@ struct GrainPairTable {
     std::uint32_t place = kNothing;
     for (std::size_t p = 0; p < size(); ++p)
       if (touching[p]) visit(p, history_at(++place));
+  }
+  /// Calls change(p, memory) for every touching pair p in their order; it may change what the pair remembers.
+  template <class Change>
+  void change_touching(const Change& change) {
+    visit_touching(
+        [&](std::size_t p, const double* memory) { change(p, history.data() + (memory - history.data())); });
   }
   /// As PairTable::recall(), for pairs in their order, in a table in which none touched.
   void recall(std::size_t p, const double* remembered) {

@@ -1,6 +1,8 @@
 #include "engine/search/sphere_cells.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "engine/numerics/shared_ranges.h"
@@ -9,13 +11,22 @@ namespace diefill::engine {
 
 namespace {
 
-/// A few far grains must not cost a huge empty grid: at most this many cells per point (and some to start
-/// with).
+/// Cells per point, and some to start with, at most.
 constexpr double kCellsPerPoint = 8, kFewCells = 4096;
+/// Cells at most: those along an edge are counted in an int, and all of them in 32 bits.
+constexpr double kMostCells = std::numeric_limits<int>::max();
 /// Points that a thread takes at a time, and shares of the cells for each thread; they change no result.
 constexpr std::size_t kPointsAtATime = 16384, kSharesPerThread = 4;
 
 }  // namespace
+
+CellNumbers cells_for(const Eigen::Vector3d& extents, double cell, std::size_t points) {
+  const auto cells_at = [&](double edge) { return Eigen::Vector3d((extents / edge).array().floor() + 1); };
+  const double most = std::min(kFewCells + kCellsPerPoint * static_cast<double>(points), kMostCells);
+  double edge = cell;
+  while (cells_at(edge).prod() > most) edge *= 1.25;
+  return {cells_at(edge).cast<int>(), edge};
+}
 
 void SphereCells::build(const SphereField& spheres, double cell, ThreadPool& pool) {
   std::vector<std::uint32_t> all(spheres.size());
@@ -49,13 +60,9 @@ void SphereCells::choose_cells(const SphereField& spheres, double cell, ThreadPo
   for (const auto& part : boxes) box.extend(part);
   if (members_.empty()) box.extend(Eigen::Vector3d(Eigen::Vector3d::Zero()));
   lower_ = box.min();
-  edge_ = cell;
-  const auto cells_at = [&](double edge) {
-    return Eigen::Vector3d(((box.max() - lower_) / edge).array().floor() + 1);
-  };
-  const double most = kFewCells + kCellsPerPoint * static_cast<double>(members_.size());
-  while (cells_at(edge_).prod() > most) edge_ *= 1.25;
-  cells_ = cells_at(edge_).cast<int>();
+  const CellNumbers chosen = cells_for(box.max() - lower_, cell, members_.size());
+  edge_ = chosen.edge;
+  cells_ = chosen.cells;
   first_.assign(index_of(cells_[0] - 1, cells_[1] - 1, cells_[2] - 1) + 2, 0);
 }
 

@@ -16,6 +16,17 @@ struct CellMember {
   std::uint32_t owner;   ///< real grain that it belongs to, itself or as an image
 };
 
+/// How many cubic cells of which edge (m).
+struct CellNumbers {
+  Eigen::Vector3i cells;
+  double edge;
+};
+
+/// Cells of edge at least `cell` (m) for `points` points in a box of these `extents` (m), lower faces
+/// included: larger cells where there were more than eight a point (and some to start with), as a few far
+/// grains must not cost a huge empty grid, or too many to number.
+CellNumbers cells_for(const Eigen::Vector3d& extents, double cell, std::size_t points);
+
 /// A grid of cells over spheres' centres, points (m) here. Points of a cell lie together, and cells along x
 /// follow each other, so that a neighbourhood of 27 cells is nine runs.
 class SphereCells {

@@ -64,7 +64,7 @@ void AllGrainsPolicy::compute_interleaved(SimulationState& state) {
   using Clock = std::chrono::steady_clock;
   state.pool.for_each_by_worker(count, [&](std::size_t b, std::size_t worker) {
     const auto began = Clock::now();
-    compute_block(state, b, state.workspaces[worker]);
+    compute_block(state, b, state.workspaces[worker], OtherBlocks::finish);
     const auto computed = Clock::now();
     for (const std::uint32_t other : state.list.waiting_for(b))
       if (awaited_[other].fetch_sub(1, std::memory_order_acq_rel) == 1) finish_block(state, other);

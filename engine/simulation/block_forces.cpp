@@ -2,10 +2,10 @@
 
 namespace diefill::engine {
 
-void compute_block(SimulationState& state, std::size_t b, BlockWorkspace& workspace) {
+void compute_block(SimulationState& state, std::size_t b, BlockWorkspace& workspace, OtherBlocks others) {
   Block& block = state.list.blocks()[b];
   const InstructionSet instructions = state.settings.instructions;
-  workspace.spheres.take(block, state.spheres, instructions);
+  workspace.spheres.take(block, state.spheres, instructions, others);
   const ContactScene scene = contact_scene(state, workspace.spheres);
   state.tallies[b].start(state.bodies.size());
   std::vector<ContactSum>& sums = workspace.contact.sums;

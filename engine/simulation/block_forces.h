@@ -6,7 +6,8 @@
 namespace diefill::engine {
 
 /// Contact forces of the pairs of block b into its sums and its tally. `workspace`: of the calling thread.
-void compute_block(SimulationState& state, std::size_t b, BlockWorkspace& workspace);
+void compute_block(SimulationState& state, std::size_t b, BlockWorkspace& workspace,
+                   OtherBlocks others = OtherBlocks::wait);
 
 /// Turns `contacts`, the sums of the pairs of block b, into contact forces on its grains, moments about their
 /// centres: adds those of other blocks' pairs, in block order. `contacts` may be the block's own.

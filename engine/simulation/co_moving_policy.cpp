@@ -33,11 +33,11 @@ void CoMovingPolicy::move_tools(SimulationState& state) {
 /// follow without stirring: they still have the speed of the step before.
 void CoMovingPolicy::take_to(SimulationState& state, const Eigen::Vector3d& velocity) {
   const SimulationSettings& settings = state.settings;
-  const double swiftest_change = settings.sleep->acceleration * settings.gravity.norm() * settings.time_step;
+  const double largest_change = settings.sleep->acceleration * settings.gravity.norm() * settings.time_step;
   for (std::size_t k = 0; k < state.grains.size(); ++k) {
     if (!state.sleep.sleeps(k)) continue;
     Eigen::Vector3d& own = state.grains.velocity[k];
-    if ((velocity - own).norm() > swiftest_change) return wake_all(state);
+    if ((velocity - own).norm() > largest_change) return wake_all(state);
     state.ledger.sleep_work += 0.5 * state.shape_of(k).mass * (velocity.squaredNorm() - own.squaredNorm());
     own = velocity;
   }

@@ -106,7 +106,7 @@ void remember_reference(SimulationState& state, std::size_t awake) {
   reference.drift = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   reference.group.clear();
   reference.passing = 0;
-  // Where grains sleep, motion is measured against them: they are never the swifter ones, so that every pair
+  // Where grains sleep, motion is measured against them: they are never the faster ones, so that every pair
   // of both kinds is an awake grain's.
   if (awake < grains.size()) {
     reference.drift[0] = carrier_motion(state).velocity;
@@ -208,6 +208,7 @@ void search_at_reference(SimulationState& state, const ContactHistories& histori
   const ListReference& reference = state.reference;
   spheres.grains = reference.position.size();
   find_images(state, images);
+  check_sphere_count(spheres.size());
   if (!state.types.monodisperse()) spheres.kind = state.grains.kind;
   if (state.types.clumps()) {
     spheres.velocity.resize(spheres.grains);

@@ -38,7 +38,7 @@ class Simulation {
   void step();
 
   /// Adds grains at rest or moving; ids continue from the last one given. Throws std::invalid_argument for a
-  /// kind that there is not.
+  /// kind that there is not, and std::length_error for more spheres than can be numbered.
   void add_grains(const std::vector<NewGrain>& grains);
   /// Takes out every grain for which `leaves(position)` is true, called in their order; returns how many.
   std::size_t remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves);
@@ -49,9 +49,11 @@ class Simulation {
 
   /// Gravity (m/s^2) from now on. All grains wake.
   void set_gravity(const Eigen::Vector3d& gravity);
-  /// Contact laws from now on, for the same types and walls. Contacts keep their history where the new laws
-  /// remember the same numbers, and otherwise begin anew. All grains wake. Throws std::invalid_argument as
-  /// the constructor does; the time step is the caller's to keep below the new critical one.
+  /// Contact laws from now on, for the same types and walls. Contacts keep the history of those parts of
+  /// their law (normal, friction, rolling, attraction) that stay the same but for parameters; that of the
+  /// others begins at 0. Where one loop is Bierwisch's tuned one and the other is not, all history begins at
+  /// 0. All grains wake. Throws std::invalid_argument as the constructor does; the time step is the caller's
+  /// to keep below the new critical one.
   void set_contact(const ContactLaws& contact);
   /// Gives every grain added(id) (m/s) more velocity. All grains wake.
   void add_velocities(const std::function<Eigen::Vector3d(std::uint64_t)>& added);

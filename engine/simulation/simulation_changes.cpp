@@ -14,9 +14,16 @@ namespace diefill::engine {
 
 namespace {
 
-/// Whether two laws keep the same numbers of a pair, so that a contact goes on where its law is exchanged.
-bool same_history(const PairLoop& one, const PairLoop& other) {
+/// Whether pairs remember as many numbers by both loops, so that contacts can go on where laws are exchanged.
+bool same_width(const PairLoop& one, const PairLoop& other) {
   return one.history_signs() == other.history_signs();
+}
+
+/// Sets to 0 what pairs of `loop` remember and what the laws of `next` would take for something else.
+void clear_changed_history(std::vector<Block>& blocks, const PairLoop& loop, const PairLoop& next) {
+  const auto layouts = next.history_layouts();
+  if (!same_width(loop, next) || loop.history_layouts() == layouts) return;
+  for (Block& block : blocks) loop.clear_changed_history(block, layouts);
 }
 
 void renew_integrator(SimulationState& state) {
@@ -59,6 +66,7 @@ void Simulation::add_grains(const std::vector<NewGrain>& added) {
       throw std::invalid_argument("a grain of particle type " + std::to_string(grain.kind) +
                                   ", but there are " + std::to_string(now.types.size()) +
                                   " types, counted from 0");
+  check_sphere_count((now.grains.size() + added.size()) * now.types.spheres());
   change_energy([&] {
     wrap_grains(now);
     const std::size_t old_count = now.grains.size();
@@ -121,9 +129,11 @@ void Simulation::set_contact(const ContactLaws& contact) {
   skin_for(now.settings, now.types, grain_loop->range());  // refuses periods that the new law reaches across
   change_energy([&] {
     now.sleep.wake_all();
+    clear_changed_history(now.list.blocks(), *now.grain_loop, *grain_loop);
+    clear_changed_history(now.list.blocks(), *now.wall_loop, *wall_loop);
     NewOrder sorted = sort_in_space(now, *policy_);
-    if (!same_history(*grain_loop, *now.grain_loop)) sorted.histories.grains = {};
-    if (!same_history(*wall_loop, *now.wall_loop)) sorted.histories.walls = {};
+    if (!same_width(*grain_loop, *now.grain_loop)) sorted.histories.grains = {};
+    if (!same_width(*wall_loop, *now.wall_loop)) sorted.histories.walls = {};
     now.grain_loop = std::move(grain_loop);
     now.wall_loop = std::move(wall_loop);
     now.settings.contact = contact;

@@ -107,7 +107,7 @@ void SleepPolicy::end_step(SimulationState& state) {
   for (std::size_t b = 0; b < rests_.size(); ++b)
     if (rests_[b]) state.sleep.sphere_steps_left_out += state.list.blocks()[b].own_spheres();
   if (state.step % kStepsPerCheck != 0) return;
-  weigh_sleepers(state);
+  update_forces_on_sleepers(state);
   check_grains(state);
   wake_these(state, disturbed(state, rests_));
   wake_these(state, sleepers_within(state, state.settings.sleep->awake));
@@ -115,7 +115,7 @@ void SleepPolicy::end_step(SimulationState& state) {
 }
 
 /// Forces and torques on sleepers, which no step has brought up to date.
-void SleepPolicy::weigh_sleepers(SimulationState& state) const {
+void SleepPolicy::update_forces_on_sleepers(SimulationState& state) const {
   Grains& grains = state.grains;
   const bool clumps = state.types.clumps(), rotates = state.types.rotates();
   const auto& blocks = state.list.blocks();
@@ -139,10 +139,10 @@ void SleepPolicy::put_candidates_to_sleep(SimulationState& state) {
 
 bool SleepPolicy::fall_asleep(SimulationState& state) {
   const Eigen::Vector3d velocity = carrier_motion(state).velocity;
-  auto restless = moving_tools(state);
+  auto near_moving_tools = moving_tools(state);
   const auto& awake = state.settings.sleep->awake;
-  restless.insert(restless.end(), awake.begin(), awake.end());
-  const auto fallen = sleep_candidates(state, restless);
+  near_moving_tools.insert(near_moving_tools.end(), awake.begin(), awake.end());
+  const auto fallen = sleep_candidates(state, near_moving_tools);
   for (const std::uint32_t k : fallen) {
     const double kinetic = kinetic_energy(state, k, Eigen::Vector3d::Zero());
     state.ledger.sleep_work += 0.5 * state.shape_of(k).mass * velocity.squaredNorm() - kinetic;

@@ -34,7 +34,7 @@ class SleepPolicy : public StepPolicy {
   const ContactSums& gathered_copy(const SimulationState& state, std::size_t b,
                                    BlockWorkspace& workspace) const;
   void compute_blocks_at_rest(SimulationState& state);
-  void weigh_sleepers(SimulationState& state) const;
+  void update_forces_on_sleepers(SimulationState& state) const;
 
   std::vector<std::uint8_t> rests_;  ///< one a block: 1 where neither pairs nor grains need work
 };

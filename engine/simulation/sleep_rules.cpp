@@ -71,14 +71,14 @@ void watch(SimulationState& state, std::size_t k, const Limits& limits, const Bo
 }
 
 /// 1 for every awake grain that has been slow for long enough, away from tools that move, and every sleeper.
-std::vector<std::uint8_t> calm(const SimulationState& state,
-                               const std::vector<Eigen::AlignedBox3d>& restless) {
+std::vector<std::uint8_t> slow_long_enough(const SimulationState& state,
+                                           const std::vector<Eigen::AlignedBox3d>& near_moving_tools) {
   const std::uint32_t needed = looks_needed(state);
-  std::vector<std::uint8_t> calm(state.grains.size());
-  for (std::size_t k = 0; k < calm.size(); ++k)
-    calm[k] = state.sleep.sleeps(k) ||
-              (state.sleep.checks[k] >= needed && !in_any(restless, state.grains.position[k]));
-  return calm;
+  std::vector<std::uint8_t> slow(state.grains.size());
+  for (std::size_t k = 0; k < slow.size(); ++k)
+    slow[k] = state.sleep.sleeps(k) ||
+              (state.sleep.checks[k] >= needed && !in_any(near_moving_tools, state.grains.position[k]));
+  return slow;
 }
 
 }  // namespace
@@ -172,11 +172,11 @@ void wake(SimulationState& state, const std::vector<std::uint32_t>& sleepers) {
 }
 
 std::vector<std::uint32_t> sleep_candidates(const SimulationState& state,
-                                            const std::vector<Eigen::AlignedBox3d>& restless) {
+                                            const std::vector<Eigen::AlignedBox3d>& near_moving_tools) {
   const std::size_t asleep_now = state.sleep.sleepers(), awake = state.grains.size() - asleep_now;
   const std::size_t fewest =
       std::max<std::size_t>(1, std::min(awake / kMinShare, kMinSpheres / state.types.spheres()));
-  const auto slow = calm(state, restless);
+  const auto slow = slow_long_enough(state, near_moving_tools);
   if (static_cast<std::size_t>(std::count(slow.begin(), slow.end(), 1)) < asleep_now + fewest) return {};
   auto candidates = slow;
   for (const auto& block : state.list.blocks())

@@ -35,7 +35,7 @@ void wake(SimulationState& state, const std::vector<std::uint32_t>& sleepers);
 /// Grains that fall asleep now, none of them in any of the boxes (m): none while they are too few to be
 /// worth a search of contacts.
 std::vector<std::uint32_t> sleep_candidates(const SimulationState& state,
-                                            const std::vector<Eigen::AlignedBox3d>& restless);
+                                            const std::vector<Eigen::AlignedBox3d>& near_moving_tools);
 
 /// 1 for each block of which neither pairs nor grains need work: its grains sleep, and all that they pair
 /// with.

@@ -46,7 +46,7 @@ void take_load(FreeBody& body, const BodyMotion& pose, const BodyLoad& load) {
 }
 
 /// Puts the body back to its stops and throws back its velocity.
-void heed_stops(FreeBody& body) {
+void apply_stops(FreeBody& body) {
   for (std::size_t k = 0; k < body.spec.stop_count; ++k) {
     const TravelStop& stop = body.spec.stops[k];
     const double beyond = stop.direction.dot(body.position - body.start) - stop.distance;
@@ -119,7 +119,7 @@ BodyMotion finish(FreeBody& body, const BodyMotion& now, const BodyLoad& load, c
   body.velocity += 0.5 * time_step * (rate_before + acceleration(body, gravity));
   if (body.spec.turns)
     body.spin = advance_spin(body.principal_inertia, body.spin, torque_before, body.torque, time_step);
-  heed_stops(body);
+  apply_stops(body);
   return pose_of(body);
 }
 

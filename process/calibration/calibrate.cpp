@@ -120,7 +120,9 @@ class Search {
   }
 
   std::string open_text() const {
-    return std::to_string(runs_.open_jobs().jobs.size()) + " runs are not finished";
+    const std::size_t others = runs_.open_of_other_scenes();
+    return std::to_string(runs_.open_jobs().jobs.size()) + " runs are not finished" +
+           (others == 0 ? "" : ": " + std::to_string(others) + " of these folders hold runs of other scenes");
   }
 
   static std::string elsewhere_text() {
@@ -195,6 +197,7 @@ void write_powder(const CalibrationPlan& plan, const Fit& fit, const results::Ca
 results::Calibration calibrate(const CalibrationPlan& plan, const CalibrateOptions& given) {
   CalibrateOptions options = given;
   options.points.run = given.open_runs == OpenRuns::run;
+  options.points.write = given.open_runs != OpenRuns::leave_out;
   Search search(plan, options);
   const std::string stopped = search.go();
   search.check();

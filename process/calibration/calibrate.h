@@ -15,7 +15,7 @@ namespace diefill::process::calibration {
 enum class OpenRuns {
   run,       ///< here and now
   write,     ///< their scenes and job scripts, to be run elsewhere
-  leave_out  ///< go by those that are finished
+  leave_out  ///< go by those that are finished; no scene is written and no run renamed
 };
 
 struct CalibrateOptions {

@@ -6,6 +6,7 @@
 
 #include "process/calibration/calibration_results.h"
 #include "process/input/units.h"
+#include "process/tradeoff/evaluate.h"
 
 namespace diefill::process::calibration {
 namespace {
@@ -129,19 +130,26 @@ void add_fitted(results::CalibratedMeasurement& row, const std::vector<std::size
   add_range(row, places, *data.emulator, region);
 }
 
-/// One value from the runs at the best parameters and at the region's edge.
+/// One value from the runs at the best parameters and at the region's edge, over all of which the scatter
+/// over seeds is pooled: two seeds alone hardly tell it.
 void add_checked_value(results::CalibrationDatum& datum, std::size_t measurement, std::size_t place,
                        const SimulatedPoints& simulated) {
+  std::vector<results::TradeoffValue> over_seeds;
+  std::size_t seeds = 0;  // of the best parameters
   for (std::size_t k = 0; k < simulated.outcomes.size(); ++k) {
     const Sample found = simulated.outcomes[k].over_seeds(measurement, place);
     if (found.count == 0 || simulated.points[k].role == "finer") continue;
     datum.lower = std::fmin(datum.lower, found.mean);  // also where there was none (NaN)
     datum.upper = std::fmax(datum.upper, found.mean);
+    over_seeds.push_back({found.mean, found.scatter, found.count, kNone});
     if (simulated.points[k].role != "best") continue;
     datum.simulated = found.mean;
-    datum.scatter = found.scatter;
-    datum.uncertainty = found.scatter / std::sqrt(static_cast<double>(found.count));
+    seeds = found.count;
   }
+  const PooledScatter pooled = pooled_scatter(over_seeds, 1);
+  datum.scatter = pooled.scatter;
+  datum.freedom = pooled.freedom;
+  if (seeds > 0) datum.uncertainty = pooled.scatter / std::sqrt(static_cast<double>(seeds));
 }
 
 void add_checked(results::CalibratedMeasurement& row, std::size_t measurement,

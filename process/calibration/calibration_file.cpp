@@ -2,6 +2,9 @@
 
 #include <toml++/toml.h>
 
+#include "process/input/named_file.h"
+#include "process/input/text_encoding.h"
+#include "process/input/text_file.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/setting.h"
 #include "process/scene/variants.h"
@@ -22,18 +25,39 @@ void check_runs(const CalibrationPlan& plan, const Measurement& measurement) {
   }
 }
 
+/// Names a parameter that a scene cannot have at its own end, all others as the scene has them; nothing where
+/// each goes by itself.
+void refuse_own_ends(const CalibrationPlan& plan, const Measurement& measurement) {
+  for (const ParameterRange& range : plan.parameters)
+    for (const bool lower : {true, false}) {
+      try {
+        try_assignment(measurement.runs.front(), range.assignment(lower ? 0 : 1),
+                       lower ? range.where_from : range.where_to);
+      } catch (const SceneError& error) {
+        // A parameter that needs another one fails with the other's key.
+        const std::string message = error.what();
+        if (message.find(range.key) != std::string::npos)
+          throw SceneError(message + " (measurement \"" + measurement.name + "\")");
+      }
+    }
+}
+
 /// The last check is to show what finer grains than those of the runs change.
 void check_finer_grains(const CalibrationPlan& plan, const Measurement& measurement) {
   const MeasurementRun& run = measurement.runs.front();
   const std::vector<double> middle(plan.parameters.size(), 0.5);
   const double fitted = scene_at(plan, run, middle).powder.grain_diameter;
-  if (scene_at(plan, run, middle, finer_grains_of(plan)).powder.grain_diameter < fitted) return;
   const toml::table parsed = parse_scene_text(plan.text, plan.file);
-  TableReader(parsed, plan.file, "")
-      .required_table("check")
-      .reject("grain_diameter", "allowed: less than the " + number_text(1e3 * fitted) +
-                                    " mm of measurement \"" + measurement.name +
-                                    "\", since this check is with finer grains");
+  TableReader check = TableReader(parsed, plan.file, "").required_table("check");
+  const auto refuse = [&] {
+    check.reject("grain_diameter", "allowed: less than the " + number_text(1e3 * fitted) +
+                                       " mm of measurement \"" + measurement.name +
+                                       "\", since this check is with finer grains");
+  };
+  // Before the scene is built, which may have no room for coarse grains.
+  if (check.required_quantity("grain_diameter", {Dimension::length, "0.7 mm", {}, {}}) >= fitted) refuse();
+  // Presets take a diameter as one that their tables print (1.88 mm stands for 1.8816 mm).
+  if (scene_at(plan, run, middle, finer_grains_of(plan)).powder.grain_diameter >= fitted) refuse();
 }
 
 /// Scenes that a run cannot have are found before hours are spent.
@@ -51,6 +75,7 @@ void check_ends(const CalibrationPlan& plan) {
             throw SceneError(run.file.string() +
                              ": setting: a calibration needs numbers; write grain_diameter instead");
         } catch (const SceneError& error) {
+          refuse_own_ends(plan, measurement);
           throw SceneError(std::string(error.what()) + " (measurement \"" + measurement.name + "\", " +
                            plan.parameters[k].key + " at " + (end == 0 ? "\"from\"" : "\"to\"") + ")");
         }
@@ -58,6 +83,22 @@ void check_ends(const CalibrationPlan& plan) {
   }
   if (!plan.finer_grains.empty())
     for (const Measurement& measurement : plan.measurements) check_finer_grains(plan, measurement);
+}
+
+std::string load_calibration_text(const std::filesystem::path& file) {
+  const TextFileKind kind = {"calibration file",
+                             "but a calibration is a short TOML file; did you pass a table or a result?",
+                             std::size_t{4} << 20U};
+  try {
+    std::string text = load_text_file(file, kind);
+    refuse_wrong_encoding(text, file, TextKind::calibration);
+    return text;
+  } catch (const SceneError&) {
+    throw;
+  } catch (const std::runtime_error& reason) {
+    throw SceneError(file.string() + ": " + reason.what() +
+                     "; give a calibration file, such as sample_tools/calibration/my_powder.toml");
+  }
 }
 
 void read_search(TableReader& document, CalibrationPlan& plan) {
@@ -105,18 +146,18 @@ std::string finer_grains_of(const CalibrationPlan& plan) {
 CalibrationPlan read_calibration(const std::filesystem::path& file) {
   CalibrationPlan plan;
   plan.file = file;
-  plan.text = load_scene_text(file);
+  plan.text = load_calibration_text(file);
   const toml::table parsed = parse_scene_text(plan.text, file);
   TableReader document(parsed, file, "");
   plan.title = document.text("title").value_or(file.stem().string());
   plan.seed = static_cast<std::uint64_t>(document.integer("seed", 0, INT64_MAX / 2).value_or(1));
   plan.parameters = read_parameters(document);
-  if (const auto powder = document.text("powder")) plan.powder = file.parent_path() / *powder;
+  if (document.has("powder")) plan.powder = named_file(document, "powder", "powder.toml");
   const auto tables = document.tables("measurement");
   if (plan.powder.empty() && !tables.empty()) {
     TableReader first = tables.front();
     if (first.has("experiment")) document.require("powder", "\"powder.toml\", or a scene with the powder");
-    plan.powder = file.parent_path() / first.required_text("scene", "heap.toml");
+    plan.powder = named_file(first, "scene", "heap.toml");
   }
   plan.measurements = read_measurements(document, {plan.powder});
   read_search(document, plan);

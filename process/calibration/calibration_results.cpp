@@ -149,8 +149,10 @@ results::Calibration calibration_results(const CalibrationPlan& plan, const Simu
   std::size_t failed = 0;
   for (const auto& point : account.points) failed += point.state == "failed" ? 1 : 0;
   if (failed > 0)
-    account.remarks.push_back(std::to_string(failed) + " of " + std::to_string(account.points.size()) +
-                              " sets of parameters failed and were left out; the table of points says why");
+    account.remarks.push_back(
+        std::to_string(failed) + " of " + std::to_string(account.points.size()) +
+        " sets of parameters have failed runs or runs without a value; their other runs are used; the table "
+        "of points says why");
   if (!fit) return account;
   const std::vector<double> best(fit->region.best.begin(), fit->region.best.end());
   account.grains =

@@ -40,7 +40,9 @@ enum class CheckedAgainst { deviation, region };
 /// chi^2 of the values of a check that have a simulated one; NaN where none has.
 double chi_square_of_check(const results::CalibratedMeasurement& row, CheckedAgainst against);
 
-/// Whether a measurement that was kept for checking is predicted, in a sentence.
+/// Whether a measurement that was kept for checking is predicted, in a sentence: where chance would exceed
+/// its chi^2 in 1 % of cases or more, if the variance over seeds has the degrees of freedom of
+/// CalibrationDatum::freedom. Where it has none it counts as 0, and the sentence says so.
 std::string check_verdict(const results::CalibratedMeasurement& row);
 
 /// Comment at the top of powder.toml, and its table [calibration].

@@ -12,6 +12,7 @@
 #include "process/input/unit_conversion.h"
 #include "process/results/figure_item.h"
 #include "process/results/figure_table.h"
+#include "process/results/formatted.h"
 #include "process/scene/key_path.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/variants.h"
@@ -78,16 +79,40 @@ double factor_into(const TableReader& table, const MeasuredColumn& column, const
   }
 }
 
+/// Whether the measurement's file has the columns of a curve.
+bool has_a_curve(TableReader& table) {
+  try {
+    return table.has("file") && read_measured(table, 1).size() > 0;
+  } catch (const SceneError&) {
+    return false;
+  }
+}
+
+/// Values of a single figure. A table with a column of places needs `over`.
+MeasuredTable measured_figure(TableReader& table) {
+  try {
+    return read_measured(table, 0);
+  } catch (const SceneError&) {
+    if (!has_a_curve(table)) throw;
+    table.reject("file",
+                 "which has a column of places besides value and deviation: name the key of the scene that "
+                 "these are values of, such as over = \"step.1.velocity\"");
+  }
+}
+
+/// The line of TOML that sets the key to a place of a curve.
+std::string assignment_at(double place, const std::string& key, const MeasuredColumn& column) {
+  return assignment_line(key, results::formatted("%.10g", place), column.unit);
+}
+
 /// A run for each point of a curve: the scene with the key set.
 std::vector<MeasurementRun> runs_over(const MeasurementRun& run, const std::string& key,
                                       const MeasuredColumn& column) {
   std::vector<MeasurementRun> runs;
   for (const double value : column.values) {
-    char number[40];
-    std::snprintf(number, sizeof number, "%.10g", value);
     MeasurementRun one = run;
     if (!one.set.empty() && one.set.back() != '\n') one.set += '\n';
-    one.set += assignment_line(key, number, column.unit);
+    one.set += assignment_at(value, key, column);
     runs.push_back(std::move(one));
   }
   return runs;
@@ -104,7 +129,7 @@ Measurement read_figure_measurement(TableReader& table, const MeasurementContext
                  "\"step.1.velocity\"");
   Measurement measurement;
   const MeasurementRun run = run_of_scene(table, context);
-  measurement.data = read_measured(table, over ? 1 : 0);
+  measurement.data = over ? read_measured(table, 1) : measured_figure(table);
   if (!over && measurement.data.size() != 1)
     table.reject("file", "a single figure has one row; give \"over\" for a curve");
   const ChosenFigure figure = figure_called(table, word, parse_scene(run.text, run.file));
@@ -113,6 +138,10 @@ Measurement read_figure_measurement(TableReader& table, const MeasurementContext
   measurement.quantity = figure.name;
   measurement.figure = word;
   measurement.figure_place = table.where("figure");
+  if (over)
+    try_assignment(
+        run, assignment_at(measurement.data.places[0].values.front(), *over, measurement.data.places[0]),
+        table.where("over"));
   measurement.runs = over ? runs_over(run, *over, measurement.data.places[0]) : std::vector{run};
   if (over) measurement.data.places[0].name = *over;
   measurement.simulated = [factor, value = figure.value](const std::vector<FinishedRun>& runs) {

@@ -63,8 +63,12 @@ const std::vector<MeasurementKind>& measurement_kinds();
 /// All [[measurement]] tables. Throws SceneError, also for two of one name and where none is to be fitted.
 std::vector<Measurement> read_measurements(TableReader& document, const MeasurementContext& context);
 
-/// `scene` of a measurement: the text with the starting powder in place of its own. Throws SceneError.
+/// `scene` of a measurement: the text with the starting powder in place of its own. Throws SceneError, for a
+/// fault that the scene file has by itself with its line there.
 MeasurementRun run_of_scene(TableReader& measurement, const MeasurementContext& context);
+/// Tries one line of TOML on the run's scene. Throws SceneError for a fault that it makes, named at `where`,
+/// the key of the calibration file that it comes from.
+void try_assignment(const MeasurementRun& run, const std::string& assignment, const std::string& where);
 /// `set` of a measurement, lines of TOML.
 std::string set_of(TableReader& measurement);
 

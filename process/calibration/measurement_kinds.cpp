@@ -1,8 +1,12 @@
 #include <algorithm>
+#include <cctype>
 
 #include "process/calibration/measurement.h"
 #include "process/calibration/starting_powder.h"
+#include "process/input/named_file.h"
 #include "process/input/scene_error.h"
+#include "process/scene/scene_text.h"
+#include "process/scene/variants.h"
 
 namespace diefill::process::calibration {
 
@@ -16,6 +20,43 @@ void refuse_too_many(const Measurement& measurement) {
     throw SceneError(measurement.data.where + ": found " + std::to_string(measurement.data.size()) +
                      " values of \"" + measurement.name + "\", allowed: at most " + std::to_string(kMost) +
                      " with use = \"fit\"; average on a coarser grid, no finer than the averaging width");
+}
+
+/// A message about a scene without line and column behind the file's name.
+std::string without_place(std::string message, const std::filesystem::path& file) {
+  const std::string start = file.string() + ':';
+  if (!message.starts_with(start)) return message;
+  std::size_t end = start.size();
+  for (int number = 0; number < 2; ++number) {  // line, column
+    std::size_t behind = end;
+    while (behind < message.size() && std::isdigit(static_cast<unsigned char>(message[behind])) != 0)
+      ++behind;
+    if (behind == end || behind == message.size() || message[behind] != ':') return message;
+    end = behind + 1;
+  }
+  return message.erase(start.size(), end - start.size());
+}
+
+/// A run's text has other lines than its file, since the starting powder is put into it: what is wrong with
+/// the file itself is named where it stands there.
+void check_scene(const MeasurementRun& run, const std::string& as_written, const std::string& where_set,
+                 const std::filesystem::path& powder) {
+  SceneChanges changes;
+  changes.set = run.set;
+  changes.source = where_set;
+  std::string fault;
+  try {
+    changed_scene(run.text, run.file, changes);
+    return;
+  } catch (const SceneError& error) {
+    fault = without_place(error.what(), run.file);
+  }
+  try {
+    changed_scene(as_written, run.file, changes);
+  } catch (const SceneError& error) {
+    if (without_place(error.what(), run.file) == fault) throw;
+  }
+  throw SceneError(fault + " (with the powder and walls of " + powder.string() + ')');
 }
 
 }  // namespace
@@ -58,9 +99,28 @@ std::vector<Measurement> read_measurements(TableReader& document, const Measurem
 }
 
 MeasurementRun run_of_scene(TableReader& measurement, const MeasurementContext& context) {
-  const std::filesystem::path file =
-      measurement.file().parent_path() / measurement.required_text("scene", "heap.toml");
-  return {with_starting_powder(file, context.powder), file, set_of(measurement)};
+  const std::filesystem::path file = named_file(measurement, "scene", "heap.toml");
+  const std::string as_written = load_scene_text(file);
+  MeasurementRun run{with_starting_powder(as_written, file, context.powder), file, set_of(measurement)};
+  check_scene(run, as_written, measurement.where("set"), context.powder);
+  return run;
+}
+
+void try_assignment(const MeasurementRun& run, const std::string& assignment, const std::string& where) {
+  SceneChanges set;
+  set.set = run.set;
+  const std::string text = changed_scene(run.text, run.file, set).text;
+  SceneChanges one;
+  one.set = assignment;
+  one.source = where;
+  try {
+    changed_scene(text, run.file, one);
+  } catch (const SceneError& error) {
+    const std::string message = error.what(), of_change = where + ", change 1: ";
+    throw SceneError(where + ": " +
+                     (message.starts_with(of_change) ? message.substr(of_change.size())
+                                                     : without_place(message, run.file)));
+  }
 }
 
 std::string set_of(TableReader& measurement) {

@@ -73,6 +73,8 @@ std::vector<ParameterRange> read_parameters(TableReader& document) {
     check_key(table, range, all);
     const NumberWithUnit from = end_of(table, "from"), to = end_of(table, "to");
     range.logarithmic = table.choice("scale", scales).value_or(false);
+    range.where_from = table.where("from");
+    range.where_to = table.where("to");
     table.finish();
     range.unit = from.unit;
     range.from = from.number;

@@ -15,6 +15,7 @@ struct ParameterRange {
   std::string unit;  ///< "1" for plain numbers
   double from = 0, to = 1;
   bool logarithmic = false;
+  std::string where_from = {}, where_to = {};  ///< places of its ends in the file; begin messages
 
   double value_at(double place) const;
   double place_of(double value) const;

@@ -88,7 +88,23 @@ std::vector<Variant> PointRuns::variants_of(const Point& point, std::size_t numb
   return variants;
 }
 
-void PointRuns::run(const std::vector<Point>& points) {
+/// The jobs of runs that are only read. Throws SceneError where the directory has none of them.
+results::JobList PointRuns::jobs_found(const WantedJobs& wanted) {
+  FoundJobs found = find_jobs(options_.directory, wanted);
+  other_scenes_ = std::move(found.other_scenes);
+  const auto& jobs = found.list.jobs;
+  const bool any = std::any_of(jobs.begin(), jobs.end(), [&](const results::Job& job) {
+    return std::filesystem::exists(options_.directory / job.folder / kJobScene) &&
+           !other_scenes_.contains(job.folder);
+  });
+  if (!any && !jobs.empty())
+    throw SceneError(options_.directory.string() + ": found no runs of " + plan_.file.string() +
+                     (other_scenes_.empty() ? "" : ", but runs of other scenes") +
+                     "; give the directory that --export-jobs wrote for this file as it stands");
+  return std::move(found.list);
+}
+
+results::JobList PointRuns::jobs_for(const std::vector<Point>& points) {
   WantedJobs wanted;
   wanted.title = plan_.title;
   wanted.seeds = plan_.seeds;
@@ -97,12 +113,27 @@ void PointRuns::run(const std::vector<Point>& points) {
     wanted.later = results::read_job_list(options_.directory).variants;
   for (std::size_t k = 0; k < points.size(); ++k)
     for (Variant& variant : variants_of(points[k], k)) wanted.variants.push_back(std::move(variant));
-  const results::JobList all = write_jobs(options_.directory, wanted, options_.on_note);
+  return options_.write ? write_jobs(options_.directory, wanted, options_.on_note) : jobs_found(wanted);
+}
+
+/// A run of another scene is as good as none.
+JobState PointRuns::state_of_job(const results::Job& job) const {
+  return other_scenes_.contains(job.folder) ? JobState{} : state_of(options_.directory, job);
+}
+
+std::size_t PointRuns::open_of_other_scenes() const {
+  return static_cast<std::size_t>(
+      std::count_if(open_.jobs.begin(), open_.jobs.end(),
+                    [&](const results::Job& job) { return other_scenes_.contains(job.folder); }));
+}
+
+void PointRuns::run(const std::vector<Point>& points) {
+  const results::JobList all = jobs_for(points);
   results::JobList open = all;
   open.jobs.clear();
   double of_others = 0;
   for (const results::Job& job : all.jobs) {
-    const JobState state = state_of(options_.directory, job);
+    const JobState state = state_of_job(job);
     const bool again = options_.run && state.stage == JobState::Stage::failed && !tried_.contains(job.folder);
     if (state.stage == JobState::Stage::open || again)
       open.jobs.push_back(job);
@@ -118,7 +149,7 @@ void PointRuns::run(const std::vector<Point>& points) {
   for (const results::Job& job : all.jobs) {
     tried_.insert(job.folder);
     spent_ += results::read_job_cost(options_.directory / job.folder).cpu_seconds;
-    if (state_of(options_.directory, job).stage == JobState::Stage::open) open_.jobs.push_back(job);
+    if (state_of_job(job).stage == JobState::Stage::open) open_.jobs.push_back(job);
   }
 }
 
@@ -148,7 +179,7 @@ std::vector<double> PointRuns::values_of_seed(std::size_t measurement, std::size
   std::vector<FinishedRun> finished;
   for (const std::size_t run : measured_by_[measurement]) {
     const results::Job job = job_of(number, run, k);
-    if (state_of(options_.directory, job).stage != JobState::Stage::finished) return {};
+    if (state_of_job(job).stage != JobState::Stage::finished) return {};
     finished.push_back({options_.directory / job.folder, nullptr});
     read.push_back(results::read_results(finished.back().folder));
   }
@@ -178,7 +209,7 @@ void PointRuns::add_states(const Point& point, std::size_t number, PointOutcome&
   for (const std::size_t run : runs_of(point))
     for (int k = 0; k < plan_.seeds; ++k) {
       const results::Job job = job_of(number, run, k);
-      const JobState state = state_of(options_.directory, job);
+      const JobState state = state_of_job(job);
       outcome.core_seconds += results::read_job_cost(options_.directory / job.folder).cpu_seconds;
       if (state.stage == JobState::Stage::failed) {
         outcome.state = "failed";

@@ -39,7 +39,8 @@ struct PointOptions {
   std::filesystem::path directory;
   JobOptions jobs;
   NoteCallback on_note;
-  bool run = true;  ///< false: only the scenes are written
+  bool run = true;    ///< false: no run is started
+  bool write = true;  ///< false: finished runs are only read; nothing is written or renamed
 };
 
 class PointRuns {
@@ -47,7 +48,8 @@ class PointRuns {
   PointRuns(const CalibrationPlan& plan, PointOptions options);
 
   /// Runs what is not finished of these points, failed ones once. Points are identified by their place in the
-  /// list, which only grows. Throws Interrupted, and std::runtime_error as run_jobs does.
+  /// list, which only grows. Throws Interrupted, std::runtime_error as run_jobs does, and, where runs are
+  /// only read, SceneError for a directory that has none of these points.
   void run(const std::vector<Point>& points);
   /// What the runs gave; of a result that is damaged or lacks what is measured, the reason. Throws SceneError
   /// where no result can have it.
@@ -56,10 +58,15 @@ class PointRuns {
   bool over_budget() const { return spent_ >= options_.jobs.cpu_seconds; }
   /// Jobs of the latest run() that are neither finished nor failed.
   const results::JobList& open_jobs() const { return open_; }
+  /// How many of these hold a run of another scene; known where runs are only read.
+  std::size_t open_of_other_scenes() const;
   /// Whether scenes of this point have been written before.
   bool is_written(const Point& point, std::size_t number) const;
 
  private:
+  results::JobList jobs_for(const std::vector<Point>& points);
+  results::JobList jobs_found(const WantedJobs& wanted);
+  JobState state_of_job(const results::Job& job) const;
   std::vector<std::size_t> runs_of(const Point& point) const;
   std::vector<Variant> variants_of(const Point& point, std::size_t number);
   std::vector<double> values_of_seed(std::size_t measurement, std::size_t number, int k) const;
@@ -77,6 +84,7 @@ class PointRuns {
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Variant>> scenes_;
   std::map<std::size_t, std::string> refused_;  ///< points that a scene cannot have, and why
   std::set<std::string> tried_;                 ///< folders run in this session
+  std::set<std::string> other_scenes_;          ///< folders with a run of another scene, which does not count
   results::JobList open_;
   double spent_ = 0;  ///< s of processor time of all jobs
 };

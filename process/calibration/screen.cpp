@@ -1,5 +1,6 @@
 #include "process/calibration/screen.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -110,7 +111,27 @@ std::string words_of(const AliasString& string, const CalibrationPlan& plan) {
 std::string source_text(ErrorSource source) {
   if (source == ErrorSource::repeats) return "runs with other seeds";
   if (source == ErrorSource::lenth) return "the smaller effects (Lenth 1989); one seed each";
+  if (source == ErrorSource::zeros)
+    return "nothing: more than half of the effects are 0; use two seeds or more";
   return "nothing: too few runs; use two seeds or more";
+}
+
+/// Where the standard errors of all quantities come from; of several sources, which quantities each is for.
+std::string common_source(const std::vector<results::ScreenedQuantity>& quantities) {
+  constexpr std::size_t kMaxOfOne = 4;
+  std::vector<std::string> sources;
+  for (const auto& quantity : quantities)
+    if (std::find(sources.begin(), sources.end(), quantity.error_source) == sources.end())
+      sources.push_back(quantity.error_source);
+  if (sources.size() == 1) return sources.front();
+  std::string text;
+  for (const std::string& source : sources) {
+    std::vector<std::string> names;
+    for (const auto& quantity : quantities)
+      if (quantity.error_source == source) names.push_back(quantity.name);
+    text += (text.empty() ? "" : "; ") + source + " (" + results::comma_list(names, kMaxOfOne) + ')';
+  }
+  return text;
 }
 
 /// y = mean + sum of coefficients times levels, which are -1 and 1: with these each is half an effect.
@@ -130,10 +151,12 @@ void add_quantity(results::Screening& screening, const FractionalDesign& design,
   const std::vector<FactorRange> levels(design.factors(), FactorRange{-1, 1});
   const EffectModel model = fit_effects(design, levels, means, pairs_to_fit(design, means));
   const auto settings = settings_of(design, levels);
-  screening.quantities.push_back({name, unit, found.mean, found.error, found.margin,
-                                  prediction_error(model, settings, means, false),
-                                  prediction_error(model, settings, means, true), terms_of(model)});
-  screening.error_source = source_text(found.source);
+  screening.quantities.push_back(
+      {name, unit, found.mean, found.error, found.margin, prediction_error(model, settings, means, false),
+       prediction_error(model, settings, means, true), terms_of(model), source_text(found.source)});
+  if (!have_one_sign(means))
+    screening.remarks.push_back("no relative error of the regression of " + name +
+                                ", which is 0 or changes its sign over the design");
   for (std::size_t k = 0; k < found.effects.size(); ++k)
     screening.effects[k].values.push_back(found.effects[k].value);
 }
@@ -164,6 +187,7 @@ results::Screening screening_of(const CalibrationPlan& plan, const FractionalDes
         add_quantity(screening, design, name, measurement.data.value.unit, responses);
     }
   }
+  screening.error_source = common_source(screening.quantities);
   return screening;
 }
 

@@ -1,11 +1,13 @@
 #include "process/compare/backups.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 
 #include "process/results/storage/result_file.h"
+#include "process/results/studies/job_list.h"
 
 namespace diefill::process {
 namespace {
@@ -54,6 +56,7 @@ std::vector<fs::path> files_that_begin(const fs::path& directory, const std::vec
 /// Whether `is_there` holds for every entry of the document's `list`; false where the document cannot be
 /// read.
 bool all_there(const fs::path& file, const char* list, const std::function<bool(const Json&)>& is_there) {
+  if (!fs::is_regular_file(file)) return false;
   std::ifstream stream(file);
   const Json document = Json::parse(stream, nullptr, false);
   if (!document.is_object() || !document.contains(list) || !document[list].is_array()) return false;
@@ -62,6 +65,34 @@ bool all_there(const fs::path& file, const char* list, const std::function<bool(
   } catch (const Json::exception&) {
     return false;
   }
+}
+
+/// Whether the values are the same but for the digits that a file keeps.
+bool same_values(const std::vector<double>& one, const std::vector<double>& other) {
+  constexpr double kDigits = 1e-9;
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](double a, double b) {
+    return std::abs(a - b) <= kDigits * std::max(std::abs(a), std::abs(b));
+  });
+}
+
+/// Whether a calibration.json has a powder: the region that agrees is given by samples.
+bool has_fit(const fs::path& table) {
+  std::ifstream stream(table);
+  const Json document = Json::parse(stream, nullptr, false);
+  return document.is_object() && document.contains("samples") && !document["samples"].empty();
+}
+
+/// Whether `now` has everything that an earlier calibration.json states.
+bool has_all_of(const fs::path& table, const results::Calibration& now) {
+  if (has_fit(table) && !now.fitted) return false;
+  return all_there(table, "points", [&](const Json& point) {
+    const std::string role = point.at("role");
+    if (point.at("state") != "finished" || role == "best" || role == "edge" || role == "finer") return true;
+    const auto values = point.at("values").get<std::vector<double>>();
+    return std::any_of(now.points.begin(), now.points.end(), [&](const results::CalibrationPoint& other) {
+      return other.state == "finished" && other.role == role && same_values(values, other.values);
+    });
+  });
 }
 
 }  // namespace
@@ -89,7 +120,12 @@ std::optional<fs::path> back_up_earlier_tables(const fs::path& directory, const 
              run.at("state_hash") == other.state_hash;
     });
   };
-  if (!fs::exists(table) || all_there(table, "runs", is_there)) return std::nullopt;
+  // The JSON is written first: without it, the other files are not of a comparison.
+  const std::vector<fs::path> others = {directory / "comparison.csv", directory / "comparison.png"};
+  const bool foreign =
+      std::any_of(others.begin(), others.end(), [](const auto& file) { return fs::exists(file); });
+  if (!fs::exists(table)) return foreign ? std::optional(move_to_backup(directory, others)) : std::nullopt;
+  if (all_there(table, "runs", is_there)) return std::nullopt;
   return move_to_backup(directory, files_that_begin(directory, {"comparison."}));
 }
 
@@ -103,6 +139,36 @@ std::optional<fs::path> back_up_earlier_tables(const fs::path& directory, const 
   };
   if (!fs::exists(table) || all_there(table, "settings", is_there)) return std::nullopt;
   return move_to_backup(directory, files_that_begin(directory, {"tradeoff.", "knob_"}));
+}
+
+std::optional<fs::path> back_up_earlier_tables(const fs::path& directory, const results::Calibration& now) {
+  std::vector<fs::path> files;
+  for (const std::string& name : results::calibration_tables())
+    if (fs::exists(directory / name)) files.push_back(directory / name);
+  if (files.empty() || has_all_of(directory / "calibration.json", now)) return std::nullopt;
+  return move_to_backup(directory, files);
+}
+
+std::optional<fs::path> back_up_files(const fs::path& directory, const std::vector<std::string>& names) {
+  std::vector<fs::path> files;
+  for (const std::string& name : names)
+    if (fs::exists(directory / name)) files.push_back(directory / name);
+  if (files.empty()) return std::nullopt;
+  return move_to_backup(directory, files);
+}
+
+std::optional<fs::path> back_up_tables(const fs::path& directory) {
+  const std::vector<std::string> endings = {".csv", ".json", ".png", ".html", ".pdf", ".mp4"};
+  std::vector<fs::path> files;
+  if (!fs::is_directory(directory)) return std::nullopt;
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const std::string ending = entry.path().extension().string();
+    if (entry.is_regular_file() && entry.path() != results::job_list_file(directory) &&
+        std::find(endings.begin(), endings.end(), ending) != endings.end())
+      files.push_back(entry.path());
+  }
+  if (files.empty()) return std::nullopt;
+  return move_to_backup(directory, files);
 }
 
 }  // namespace diefill::process

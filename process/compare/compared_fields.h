@@ -12,12 +12,12 @@ namespace diefill::process {
 const results::Field2D* compared_field(const results::FillResult& result);
 
 /// Mean of fields at the nodes of the first one, bilinear between the nodes of the others. A node has a value
-/// where all of them have one. Empty without fields.
+/// where at least half of them hold powder: the mean of those with a value, or unvalued_powder() without any.
+/// Empty without fields.
 results::Field2D mean_field(const std::vector<results::Field2D>& fields);
 
-/// Pearson's correlation of two fields over the nodes of the first where both have a value, bilinear between
-/// the nodes of the second. NaN for fewer than three such nodes, or where one of the two is the same
-/// everywhere.
+/// results::pearson_correlation() of two fields over the nodes of the first where both have a value, bilinear
+/// between the nodes of the second.
 double correlation(const results::Field2D& first, const results::Field2D& second);
 
 }  // namespace diefill::process

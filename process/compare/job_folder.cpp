@@ -42,7 +42,7 @@ std::string with_hashes(std::string text) {
 }
 
 /// Whether two scenes of a job's folder ask for the same computation.
-bool ask_for_the_same(const std::string& a, const std::string& b, const fs::path& file) {
+bool same_computation(const std::string& a, const std::string& b, const fs::path& file) {
   try {
     return scene_identity(with_hashes(a), file, {}) == scene_identity(with_hashes(b), file, {});
   } catch (const SceneError&) {
@@ -71,7 +71,7 @@ bool began_from_another_state(const fs::path& folder, const JobScene& wanted) {
 
 /// Whether the folder's scene asks for another computation, or its run has made another.
 bool holds_another(const fs::path& folder, const std::string& before, const JobScene& wanted) {
-  return (before != wanted.text && !ask_for_the_same(before, wanted.text, folder / kJobScene)) ||
+  return (before != wanted.text && !same_computation(before, wanted.text, folder / kJobScene)) ||
          began_from_another_state(folder, wanted);
 }
 
@@ -146,13 +146,13 @@ results::JobList jobs_of(const WantedJobs& wanted, const DoWithJob& act) {
 }
 
 /// What the run said last, without the program's name.
-std::string last_complaint(const fs::path& log) {
+std::string last_message(const fs::path& log) {
   const std::string start = "diefill: ";
   std::istringstream lines(text_in(log));
-  std::string complaint;
+  std::string message;
   for (std::string line; std::getline(lines, line);)
-    if (line.starts_with(start)) complaint = line.substr(start.size());
-  return complaint;
+    if (line.starts_with(start)) message = line.substr(start.size());
+  return message;
 }
 
 /// Number in the file, or -1.
@@ -224,7 +224,7 @@ JobState state_of(const fs::path& directory, const results::Job& job) {
   } else if (code > 0) {
     state.stage = JobState::Stage::failed;
     state.exit_code = code;
-    state.reason = last_complaint(folder / kJobLog);
+    state.reason = last_message(folder / kJobLog);
     if (state.reason.empty())
       state.reason = "ended with exit code " + std::to_string(code) + " without a message";
   }

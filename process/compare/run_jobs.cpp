@@ -146,11 +146,11 @@ class JobPool {
 
   void take_ended() {
     for (RunningJob& running : running_)
-      if (const auto code = running.process->ended()) take_down(running, *code);
+      if (const auto code = running.process->ended()) record_finished(running, *code);
     std::erase_if(running_, [](const RunningJob& running) { return running.job == nullptr; });
   }
 
-  void take_down(RunningJob& running, int code) {
+  void record_finished(RunningJob& running, int code) {
     const results::Job& job = *running.job;
     const double seconds = std::chrono::duration<double>(Clock::now() - running.started).count();
     const ProcessCost cost = running.process->cost();
@@ -223,8 +223,8 @@ class JobPool {
   [[noreturn]] void stop() {
     stop_running();
     throw Interrupted("stopped: " + std::to_string(waiting_.size()) +
-                      " runs were not started, the active ones stopped at a checkpoint; run the same command "
-                      "again to continue");
+                      " runs were not started, the active ones stopped at a checkpoint; " +
+                      options_.to_continue);
   }
 
   const fs::path& directory_;

@@ -44,6 +44,8 @@ struct JobOptions {
   /// Whether a job is to start, given what is left of `cpu_seconds`. Empty: always.
   std::function<bool(const results::Job&, double left)> starts;
   bool show_progress = true;
+  /// How the user continues after a stop: the end of its message.
+  std::string to_continue = "run the same command again to continue";
   const std::atomic<bool>* stop = nullptr;  ///< set from a signal handler
   /// Called every few seconds, and at the end, with the progress of the runs. May be empty.
   std::function<void(const JobListProgress&)> watch;

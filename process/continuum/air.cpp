@@ -25,6 +25,7 @@ double escape_time(double depth, double flux) {
 }
 
 double suction_speed(double own_speed, double punch_speed, double flux) {
+  if (!(own_speed > 0)) return 0;
   if (own_speed >= punch_speed) return punch_speed;
   const double square = own_speed * own_speed, half = 0.5 * square / flux;
   // The root of u^2 + 2 half u - square (1 + v / flux), written without the difference of nearly equal

@@ -25,7 +25,8 @@ double escape_time(double depth, double flux);
 
 /// m/s that powder sinks at behind a punch that falls at `punch_speed`: by itself it runs at `own_speed`; air
 /// that the punch draws past it adds to gravity by the flux past it over `flux` (carrying_flux()). At most
-/// `punch_speed`. Root of u^2 = own_speed^2 (1 + (punch_speed - u) / flux), ours: a Beverloo flow is
+/// `punch_speed`; 0 where powder does not run by itself, as through an opening that its grains do not pass.
+/// Root of u^2 = own_speed^2 (1 + (punch_speed - u) / flux), ours: a Beverloo flow is
 /// proportional to the root of gravity.
 double suction_speed(double own_speed, double punch_speed, double flux);
 

@@ -67,7 +67,7 @@ LengthOfFraction fit_length(const std::vector<LengthPoint>& points) {
     best.diverging = diverging;
     best.smallest = std::exp(branch.log_smallest);
   }
-  best.peak = std::min(best.peak, best.diverging * (1 - 1e-6));
+  best.peak = densest;
   return best;
 }
 

@@ -31,8 +31,8 @@ struct LengthPoint {
 };
 
 /// The rising branch of Eq. 5.5 (Bierwisch 2009), B_0 / (1 - n / n_div), with the least weighted squares of
-/// log B; `peak` is left as it is by default. Throws std::invalid_argument where fewer than three points have
-/// a positive length.
+/// log B; `peak` is the densest of the points, up to which the branch is known. Throws std::invalid_argument
+/// where fewer than three points have a positive length.
 LengthOfFraction fit_length(const std::vector<LengthPoint>& points);
 
 }  // namespace diefill::process::continuum

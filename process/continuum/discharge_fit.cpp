@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <stdexcept>
 
+#include "process/continuum/cumulated_mass.h"
 #include "process/input/units.h"
 #include "process/powder/empty_annulus.h"
 
@@ -14,13 +16,13 @@ namespace {
 
 constexpr std::size_t kWidthsForAnnulus = 3;  // to fit it
 
-double felt(const DischargePoint& point, const DischargeData& data) {
+double effective_width_of(const DischargePoint& point, const DischargeData& data) {
   return effective_width(point.width, data.grain_diameter);
 }
 
 /// t sqrt(g/D) - 1/5 of a point of a transient law.
 double x_of(DischargeLaw law, const DischargePoint& point, const DischargeData& data) {
-  const double width = felt(point, data);
+  const double width = effective_width_of(point, data);
   return (law == DischargeLaw::transient ? point.time * std::sqrt(data.gravity / width)
                                          : std::sqrt(data.gravity * width) / point.speed) -
          kBurst;
@@ -28,7 +30,7 @@ double x_of(DischargeLaw law, const DischargePoint& point, const DischargeData& 
 
 /// kg that f_B is multiplied by.
 double scale_of(DischargeLaw law, const DischargePoint& point, const DischargeData& data) {
-  const double width = felt(point, data);
+  const double width = effective_width_of(point, data);
   return data.density * width * point.length * (law == DischargeLaw::transient ? width : point.shoe_length);
 }
 
@@ -42,7 +44,7 @@ bool is_beverloo(DischargeLaw law) {
 
 /// Whether the point is in the range of the law.
 bool within_range(DischargeLaw law, const DischargePoint& point, const DischargeData& data) {
-  if (!is_beverloo(law) && !(felt(point, data) > 0)) return false;
+  if (!is_beverloo(law) && !(effective_width_of(point, data) > 0)) return false;
   return !has_burst(law) || x_of(law, point, data) >= 0;
 }
 
@@ -77,7 +79,7 @@ SeparableModel power_model(const DischargeData& data) {
     Eigen::MatrixXd basis(static_cast<Eigen::Index>(data.points.size()), 1);
     for (Eigen::Index i = 0; i < basis.rows(); ++i) {
       const auto& point = data.points[static_cast<std::size_t>(i)];
-      const double ratio = std::sqrt(data.gravity * felt(point, data)) / point.speed;
+      const double ratio = std::sqrt(data.gravity * effective_width_of(point, data)) / point.speed;
       basis(i, 0) = scale_of(DischargeLaw::power_law, point, data) * std::pow(ratio, exponent);
     }
     return basis;
@@ -126,7 +128,7 @@ void refuse_closed(DischargeLaw law, const DischargeData& data) {
   const bool fits_annulus = is_beverloo(law) && widths_of(data) >= kWidthsForAnnulus;
   if (!(data.grain_diameter > 0) || fits_annulus) return;
   for (const auto& point : data.points)
-    if (!(felt(point, data) > 0))
+    if (!(effective_width_of(point, data) > 0))
       throw std::invalid_argument("found an opening of " + number_text(1e3 * point.width) +
                                   " mm with grains of " + number_text(1e3 * data.grain_diameter) +
                                   " mm, allowed: more than " + number_text(kEmptyAnnulus) +
@@ -145,11 +147,36 @@ bool is_negative(const DischargeFit& found, const std::string& name) {
 void refuse_too_few(const SeparableModel& model, std::size_t given, std::size_t left) {
   const std::size_t least = model.names.size() + 1;
   if (left < least && left < given)
-    throw std::invalid_argument("found " + std::to_string(left) +
-                                " points in the range of the law, allowed: at least " +
-                                std::to_string(least) + "; at the other " + std::to_string(given - left) +
+    throw std::invalid_argument("found " + std::to_string(left) + (left == 1 ? " point" : " points") +
+                                " in the range of the law, allowed: at least " + std::to_string(least) +
+                                "; at the other " + std::to_string(given - left) +
                                 " the flow has not started (shoe faster than 5 sqrt(gD), or time before "
                                 "sqrt(D/g)/5); measure at lower speeds or later");
+}
+
+/// Refuses points that are all at one speed or time, or have all one mass, and an outflow that never rises.
+/// Rates through openings may be all of one width.
+void refuse_constant(DischargeLaw law, const DischargeData& data) {
+  if (is_beverloo(law) || data.points.empty()) return;
+  const bool over_time = law == DischargeLaw::transient;
+  const DischargePoint& first = data.points.front();
+  const auto all = [&](const auto& holds) {
+    return std::all_of(data.points.begin(), data.points.end(), holds);
+  };
+  const std::string variable = over_time ? "time" : "speed";
+  if (all([&](const auto& point) { return x_of(law, point, data) == x_of(law, first, data); }))
+    throw std::invalid_argument("column " + variable + ": all points have the same " + variable +
+                                ", allowed: several; measure at others");
+  if (all([&](const auto& point) { return point.value == first.value; }))
+    throw std::invalid_argument("column mass: all points have " + number_text(1e3 * first.value) +
+                                " g, allowed: masses that change with the " + variable +
+                                "; check the column and the points");
+  const auto earliest = std::min_element(data.points.begin(), data.points.end(),
+                                         [](const auto& a, const auto& b) { return a.time < b.time; });
+  if (over_time && all([&](const auto& point) { return point.value <= earliest->value; }))
+    throw std::invalid_argument(
+        "column mass: no point has more than the first in time, allowed: the mass that has run out, which "
+        "rises; check whether the column is what is left in the hopper");
 }
 
 void refuse_unphysical(const DischargeFit& found) {
@@ -170,6 +197,34 @@ void refuse_unphysical(const DischargeFit& found) {
   if (!(found.number(factor) > 0)) refuse(factor, "above 0", "the whole flow is proportional to it");
   if (found.law == DischargeLaw::power_law && found.fit.shape_at_bound)
     refuse("n", "-0.9 to 9", "the discharged mass decreases with a power of the speed");
+}
+
+/// Points of each outflow over time: those of one width, until the time does not rise.
+std::vector<Outflow> outflows_of(const DischargeData& data) {
+  std::vector<Outflow> outflows;
+  std::map<double, std::size_t> current;  // by width
+  for (std::size_t k = 0; k < data.points.size(); ++k) {
+    const DischargePoint& point = data.points[k];
+    const auto found = current.find(point.width);
+    if (found == current.end() ||
+        !(point.time > data.points[static_cast<std::size_t>(outflows[found->second].back())].time)) {
+      current[point.width] = outflows.size();
+      outflows.emplace_back();
+    }
+    outflows[current[point.width]].push_back(static_cast<Eigen::Index>(k));
+  }
+  return outflows;
+}
+
+/// Errors of the masses that have run out over time; none of other laws, whose points are independent.
+CovarianceOfSums shared_errors(DischargeLaw law, const DischargeData& data, const Eigen::VectorXd& measured,
+                               std::size_t fitted_numbers) {
+  if (law != DischargeLaw::transient) return {};
+  return [=, outflows = outflows_of(data)](const Eigen::MatrixXd& sums, const Eigen::VectorXd& fitted) {
+    const double scatter =
+        variance_per_mass(outflows, measured, fitted, static_cast<Eigen::Index>(fitted_numbers));
+    return covariance_of_sums(sums, outflows, fitted, scatter);
+  };
 }
 
 double largest_value(const DischargeData& data) {
@@ -227,6 +282,7 @@ DischargeFit fit_discharge(DischargeLaw law, const DischargeData& given) {
   std::erase_if(data.points, [&](const auto& point) { return !within_range(law, point, given); });
   const SeparableModel model = model_of(law, data);
   refuse_too_few(model, given.points.size(), data.points.size());
+  if (data.points.size() > model.names.size()) refuse_constant(law, data);
   const auto count = static_cast<Eigen::Index>(data.points.size());
   const bool known =
       std::all_of(data.points.begin(), data.points.end(), [](const auto& point) { return point.error > 0; });
@@ -240,7 +296,7 @@ DischargeFit fit_discharge(DischargeLaw law, const DischargeData& given) {
   DischargeFit found;
   found.law = law;
   found.names = model.names;
-  found.fit = fit(model, y, sigma, !known);
+  found.fit = fit(model, y, sigma, !known, shared_errors(law, data, y, model.names.size()));
   found.left_out = given.points.size() - data.points.size();
   for (Eigen::Index i = 0; i < count; ++i) {
     found.relative_scatter += std::pow(y[i] / found.fit.values[i] - 1, 2) / static_cast<double>(count);

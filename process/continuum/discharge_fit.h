@@ -51,10 +51,11 @@ struct DischargeFit {
 };
 
 /// Fits the law. Points without errors count with equal relative errors, those over time with equal ones. The
-/// effective opening's factor of a Beverloo law (1.4 otherwise) is fitted where a grain diameter is given and
-/// there are three widths. Throws std::invalid_argument, in one line, where the points do not determine it,
-/// where an opening lets no grain through, and where the fitted law is none of a flow, such as with a
-/// negative rate.
+/// covariance of the transient law takes the mass of an outflow, points of one width with rising times, as a
+/// random walk (cumulated_mass.h). The effective opening's factor of a Beverloo law (1.4 otherwise) is fitted
+/// where a grain diameter is given and there are three widths. Throws std::invalid_argument, in one line,
+/// where the points do not determine it, where an opening lets no grain through, and where the fitted law is
+/// none of a flow, such as with a negative rate.
 DischargeFit fit_discharge(DischargeLaw law, const DischargeData& data);
 
 /// What the fitted law gives for `point`.

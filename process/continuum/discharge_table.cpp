@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "process/input/csv_file.h"
 #include "process/input/nearest_key.h"
@@ -21,7 +22,11 @@ struct Quantity {
   const char* name;
   Dimension dimension;
   bool may_be_zero;
+  double most = std::numeric_limits<double>::infinity();  ///< SI units
 };
+
+constexpr double kDensest = 25e3;  // kg/m^3, above osmium
+constexpr double kLongest = 1e3;   // m
 
 constexpr std::array<Quantity, 11> kQuantities = {{{"speed", Dimension::velocity, false},
                                                    {"time", Dimension::time, true},
@@ -29,11 +34,11 @@ constexpr std::array<Quantity, 11> kQuantities = {{{"speed", Dimension::velocity
                                                    {"rate", Dimension::mass_rate, true},
                                                    {"error", Dimension::mass, false},
                                                    {"rate_error", Dimension::mass_rate, false},
-                                                   {"width", Dimension::length, false},
-                                                   {"diameter", Dimension::length, false},
-                                                   {"length", Dimension::length, false},
-                                                   {"shoe_length", Dimension::length, false},
-                                                   {"density", Dimension::density, false}}};
+                                                   {"width", Dimension::length, false, kLongest},
+                                                   {"diameter", Dimension::length, false, kLongest},
+                                                   {"length", Dimension::length, false, kLongest},
+                                                   {"shoe_length", Dimension::length, false, kLongest},
+                                                   {"density", Dimension::density, false, kDensest}}};
 
 struct Column {
   const Quantity* quantity = nullptr;
@@ -120,6 +125,10 @@ double value_of(const CsvFile& file, std::size_t k, const Column& column) {
   if (value < 0 || (value == 0 && !column.quantity->may_be_zero))
     throw SceneError(where + one_line(cell) +
                      (column.quantity->may_be_zero ? ", allowed: 0 or more" : ", allowed: above 0"));
+  if (value > column.quantity->most)
+    throw SceneError(where + one_line(cell) + ' ' + column.unit + ", allowed: at most " +
+                     number_text(column.quantity->most) +
+                     (column.quantity->dimension == Dimension::density ? " kg/m^3" : " m"));
   return value;
 }
 
@@ -144,22 +153,66 @@ struct Need {
   bool given;
 };
 
+bool is_of_shoe(DischargeLaw law) {
+  return law == DischargeLaw::moving_shoe || law == DischargeLaw::power_law;
+}
+
 void refuse_missing(const std::vector<Column>& columns, const std::string& place, DischargeLaw law,
                     const CommonToAll& common) {
-  const bool rates = is_of_rates(law);
-  const bool shoe = law == DischargeLaw::moving_shoe || law == DischargeLaw::power_law;
-  const std::string width = law == DischargeLaw::beverloo_round ? "diameter" : "width";
-  std::vector<Need> needs = {{rates ? "rate" : "mass", "", false},
-                             {width, "--width", common.width.has_value() || has(columns, "width")},
-                             {"density", "--density", common.density.has_value()}};
-  if (shoe) needs.push_back({"speed", "", false});
+  std::vector<Need> needs = {{is_of_rates(law) ? "rate" : "mass", "", false}};
+  if (law == DischargeLaw::beverloo_round)
+    needs.push_back({"diameter", "", false});
+  else
+    needs.push_back({"width", "--width", common.width.has_value()});
+  needs.push_back({"density", "--density", common.density.has_value()});
+  if (is_of_shoe(law)) needs.push_back({"speed", "", false});
   if (law == DischargeLaw::transient) needs.push_back({"time", "", false});
   if (law != DischargeLaw::beverloo_round) needs.push_back({"length", "--length", common.length.has_value()});
-  if (shoe) needs.push_back({"shoe_length", "--shoe-length", common.shoe_length.has_value()});
+  if (is_of_shoe(law)) needs.push_back({"shoe_length", "--shoe-length", common.shoe_length.has_value()});
   for (const Need& need : needs)
     if (!need.given && !has(columns, need.column))
       throw SceneError(place + ": law " + name_of(law) + " needs " + need.column + ": add a column" +
                        (need.option.empty() ? "" : ", or give " + need.option));
+}
+
+/// Columns that a law has a use for.
+std::vector<std::string> columns_for(DischargeLaw law) {
+  if (law == DischargeLaw::beverloo_round) return {"rate", "diameter", "rate_error", "density"};
+  if (law == DischargeLaw::beverloo_slit) return {"rate", "width", "length", "rate_error", "density"};
+  if (law == DischargeLaw::transient)
+    return {"time", "mass", "width", "length", "error", "density", "rate"};  // a flow probe's file has rates
+  return {"speed", "mass", "width", "length", "shoe_length", "error", "density"};
+}
+
+bool takes(DischargeLaw law, const std::string& column) {
+  const auto taken = columns_for(law);
+  return std::find(taken.begin(), taken.end(), column) != taken.end();
+}
+
+void refuse_unused_columns(const std::vector<Column>& columns, const std::string& place, DischargeLaw law) {
+  std::string taken;
+  for (const std::string& name : columns_for(law)) taken += (taken.empty() ? "" : ", ") + name;
+  for (const Column& column : columns)
+    if (!takes(law, column.quantity->name))
+      throw SceneError(place + ": found column " + column.quantity->name + ", which law " + name_of(law) +
+                       " does not take (allowed: " + taken + "); remove it, or choose another --law");
+}
+
+void refuse_unused_options(const std::vector<Column>& columns, const std::string& place, DischargeLaw law,
+                           const CommonToAll& common) {
+  const std::vector<Need> options = {{"width", "--width", common.width.has_value()},
+                                     {"length", "--length", common.length.has_value()},
+                                     {"shoe_length", "--shoe-length", common.shoe_length.has_value()},
+                                     {"density", "--density", common.density.has_value()}};
+  for (const Need& option : options) {
+    if (!option.given) continue;
+    if (!takes(law, option.column))
+      throw SceneError(option.option + ": law " + name_of(law) + " has no " + option.column +
+                       "; leave it out, or choose another --law");
+    if (has(columns, option.column))
+      throw SceneError(option.option + ": " + place + " has a column " + option.column +
+                       " as well; leave one of them out");
+  }
 }
 
 /// The measurement of the line, and its density where it has one.
@@ -194,9 +247,13 @@ void leave_out_later(const CommonToAll& common, DischargeLaw law, const std::fil
 }
 
 /// Takes time and mass as those since common.opened.
-void count_from_opening(const CommonToAll& common, const std::filesystem::path& file, DischargeData& data) {
+void count_from_opening(const CommonToAll& common, DischargeLaw law, const std::filesystem::path& file,
+                        DischargeData& data) {
   if (!common.opened) return;
   const double opened = *common.opened;
+  if (law != DischargeLaw::transient)
+    throw SceneError("--opened: found " + number_text(opened) + " s, but law " + name_of(law) +
+                     " has no times; --opened is only for law transient");
   const bool none = std::none_of(data.points.begin(), data.points.end(),
                                  [&](const auto& point) { return point.time >= opened; });
   if (none)
@@ -232,6 +289,8 @@ DischargeData read_discharge_table(const std::filesystem::path& path, DischargeL
   CsvFile file = opened(path);
   const auto columns = columns_of(file);
   refuse_missing(columns, file.place(), law, common);
+  refuse_unused_columns(columns, file.place(), law);
+  refuse_unused_options(columns, file.place(), law, common);
   DischargeData data;
   data.density = common.density.value_or(0);
   data.grain_diameter = common.grain_diameter.value_or(0);
@@ -249,7 +308,7 @@ DischargeData read_discharge_table(const std::filesystem::path& path, DischargeL
     data.points.push_back(point);
   }
   leave_out_later(common, law, path, data);
-  count_from_opening(common, path, data);
+  count_from_opening(common, law, path, data);
   return data;
 }
 

@@ -69,28 +69,45 @@ Eigen::MatrixXd jacobian(const Function& function, const Eigen::VectorXd& at) {
   return slopes;
 }
 
+constexpr const char* kUndetermined =
+    "the points do not determine all parameters of this law; measure more points over a wider range";
+
 /// (J^T J)^-1 of the weighted Jacobian; throws where the points do not determine the numbers.
 Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& weighted) {
   const Eigen::VectorXd scale = weighted.colwise().norm().transpose();
-  if (!(scale.minCoeff() > 0))
-    throw std::invalid_argument("the points do not determine all parameters of this law");
+  if (!(scale.minCoeff() > 0)) throw std::invalid_argument(kUndetermined);
   const Eigen::MatrixXd scaled = weighted * scale.cwiseInverse().asDiagonal();
   const Eigen::JacobiSVD<Eigen::MatrixXd> parts(scaled, Eigen::ComputeThinV);
   const Eigen::VectorXd& singular = parts.singularValues();
   if (singular.minCoeff() < kWorstDetermined * singular.maxCoeff())
-    throw std::invalid_argument("the points do not determine all parameters of this law");
+    throw std::invalid_argument(kUndetermined);
   const Eigen::MatrixXd inverse =
       parts.matrixV() * singular.cwiseAbs2().cwiseInverse().asDiagonal() * parts.matrixV().transpose();
   return scale.cwiseInverse().asDiagonal() * inverse * scale.cwiseInverse().asDiagonal();
 }
 
+/// Covariance of the fitted numbers, with found.values and chi^2 known (separable_fit.h).
+Eigen::MatrixXd covariance_of_fitted(const SeparableFit& found, const Eigen::MatrixXd& slopes,
+                                     const Eigen::VectorXd& sigma, bool sigma_is_relative,
+                                     const CovarianceOfSums& shared) {
+  const Eigen::MatrixXd weighted = sigma.cwiseInverse().asDiagonal() * slopes;
+  const Eigen::MatrixXd own = covariance_of(weighted);
+  if (!shared)
+    return own *
+           (sigma_is_relative ? found.chi_square_per_freedom : std::max(1.0, found.chi_square_per_freedom));
+  const Eigen::MatrixXd sums = own * weighted.transpose() * sigma.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd of_shared = shared(sums, found.values);
+  return sigma_is_relative ? of_shared : Eigen::MatrixXd(own + of_shared);
+}
+
 }  // namespace
 
 SeparableFit fit(const SeparableModel& model, const Eigen::VectorXd& y, const Eigen::VectorXd& sigma,
-                 bool sigma_is_relative) {
+                 bool sigma_is_relative, const CovarianceOfSums& shared) {
   const auto wanted = static_cast<Eigen::Index>(model.names.size());
   if (y.size() < wanted + 1)
-    throw std::invalid_argument("found " + std::to_string(y.size()) + " points; " + std::to_string(wanted) +
+    throw std::invalid_argument("found " + std::to_string(y.size()) +
+                                (y.size() == 1 ? " point; " : " points; ") + std::to_string(wanted) +
                                 " parameters and their errors need at least " + std::to_string(wanted + 1));
   const Problem problem(model, y, sigma);
   const double shape = problem.best_shape();
@@ -107,9 +124,7 @@ SeparableFit fit(const SeparableModel& model, const Eigen::VectorXd& y, const Ei
       (y - found.values).cwiseQuotient(sigma).squaredNorm() / static_cast<double>(y.size() - wanted);
   const Eigen::MatrixXd slopes =
       jacobian([&](const Eigen::VectorXd& at) { return problem.values(at); }, found.fitted);
-  Eigen::MatrixXd covariance = covariance_of(sigma.cwiseInverse().asDiagonal() * slopes);
-  covariance *=
-      sigma_is_relative ? found.chi_square_per_freedom : std::max(1.0, found.chi_square_per_freedom);
+  const Eigen::MatrixXd covariance = covariance_of_fitted(found, slopes, sigma, sigma_is_relative, shared);
   found.fitted_covariance = covariance;
   found.value_errors = (slopes * covariance * slopes.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
   const auto meaning = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {

@@ -32,12 +32,19 @@ struct SeparableFit {
   bool shape_at_bound = false;  ///< the points do not determine s
 };
 
+/// Covariance of sums over y, a row of weights for each sum, where the errors of y are not independent;
+/// `values` are those of the model at the points.
+using CovarianceOfSums =
+    std::function<Eigen::MatrixXd(const Eigen::MatrixXd& sums, const Eigen::VectorXd& values)>;
+
 /// Fits `y` with standard deviations `sigma`. Where `sigma_is_relative`, only their ratios are known and the
 /// scatter about the fit gives their size; else the covariance is widened where points scatter by more than
 /// they claim (chi^2 per degree of freedom above 1). For each s the c_j follow from a linear system; s is
-/// found by a scan and Brent's method. Throws std::invalid_argument where there are fewer points than numbers
-/// plus one, or they do not determine the numbers.
+/// found by a scan and Brent's method. Where errors are `shared`, sigma weighs the points, and the covariance
+/// is (J^T W J)^-1 J^T W S W J (J^T W J)^-1 with S those errors, and 1 / W besides unless
+/// `sigma_is_relative`. Throws std::invalid_argument where there are fewer points than numbers plus one, or
+/// they do not determine the numbers.
 SeparableFit fit(const SeparableModel& model, const Eigen::VectorXd& y, const Eigen::VectorXd& sigma,
-                 bool sigma_is_relative);
+                 bool sigma_is_relative, const CovarianceOfSums& shared = {});
 
 }  // namespace diefill::process::continuum

@@ -25,7 +25,8 @@ struct WedgeHopper {
 
 /// One consolidation level, so that the strength is taken as constant, which gives an upper bound of the slot
 /// width. Where the pre-shear point lies above the locus, the Mohr circle touches the locus at sigma_p.
-/// Throws std::invalid_argument for values that are not positive.
+/// Throws std::invalid_argument, in one line, for values that are not positive, for a wall angle of phi_e or
+/// more, and where no half angle above 0 has mass flow.
 WedgeHopper wedge_hopper(const ShearTest& test, double gravity = 9.81);
 
 }  // namespace diefill::process::continuum

@@ -7,6 +7,7 @@
 #include "process/continuum/discharge_fit.h"
 #include "process/estimate/powder_discharge.h"
 #include "process/input/scene_error.h"
+#include "process/input/shown_value.h"
 #include "process/input/text_file.h"
 #include "process/input/units.h"
 #include "process/powder/empty_annulus.h"
@@ -50,6 +51,15 @@ class FitFile {
     const double value = coefficient(key);
     if (!(value > 0)) refuse(key + (" = " + number_text(value)) + ", allowed: above 0; fit again");
     return value;
+  }
+
+  /// Lines that are no text are left out.
+  std::vector<std::string> remarks() const {
+    std::vector<std::string> lines;
+    if (json_.contains("remarks") && json_["remarks"].is_array())
+      for (const auto& line : json_["remarks"])
+        if (line.is_string()) lines.push_back(one_line(line.get<std::string>()));
+    return lines;
   }
 
  private:
@@ -148,6 +158,12 @@ void read_grains(const FitFile& fit, PowderDischarge& law) {
                  "fit them again with --grain-diameter";
 }
 
+/// What fit-discharge said of the fit goes on to the estimate.
+void add_remarks(const FitFile& fit, PowderDischarge& law) {
+  for (const std::string& remark : fit.remarks())
+    law.remark += (law.remark.empty() ? "" : "; ") + fit.name() + " says: " + remark;
+}
+
 }  // namespace
 
 PowderDischarge read_discharge(const std::filesystem::path& file) {
@@ -169,6 +185,7 @@ PowderDischarge read_discharge(const std::filesystem::path& file) {
   else
     fit.refuse("a fit of law \"" + fitted + "\", allowed: 5.17, 5.18, transient, beverloo-slit");
   read_grains(fit, law);
+  add_remarks(fit, law);
   return law;
 }
 

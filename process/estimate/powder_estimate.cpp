@@ -56,7 +56,7 @@ void find_amounts(const Scene& scene, const Tooling& tooling, PowderEstimate& po
   const Eigen::Vector3d box = scene.pour.upper - scene.pour.lower;
   const double halves = tooling.mirror ? 2 : 1;
   powder.in_shoe = powder.density * box.x() * box.y() * scene.pour.fill_height * halves;
-  powder.let_in = let_in(scene) * halves;
+  powder.let_in = let_in(scene);
   powder.depth = scene.pour.fill_height;
   if (powder.let_in > 0) powder.depth *= 1 + powder.let_in / powder.in_shoe;
 }

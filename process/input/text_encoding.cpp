@@ -11,8 +11,13 @@ namespace {
 
 using namespace std::literals;
 
+std::string name_of(TextKind kind) {
+  if (kind == TextKind::csv) return "table";
+  return kind == TextKind::calibration ? "calibration" : "scene";
+}
+
 std::string remedy(TextKind kind) {
-  return std::string("; save the ") + (kind == TextKind::csv ? "table" : "scene") + " as UTF-8 text";
+  return "; save the " + name_of(kind) + " as UTF-8 text";
 }
 
 /// The encoding that the first bytes show, such as "UTF-16"; empty where they show none. Scenes begin with
@@ -52,7 +57,7 @@ void refuse_wrong_encoding(const std::string& text, const std::filesystem::path&
     if (control)
       throw SceneError(place() + ": found the byte " + std::to_string(code) +
                        ", which does not occur in a text file; give a " +
-                       (kind == TextKind::csv ? "CSV table" : "TOML scene") + " saved as UTF-8");
+                       (kind == TextKind::csv ? "CSV " : "TOML ") + name_of(kind) + " saved as UTF-8");
     k += character->length;
     if (code == '\n') {
       ++line;

@@ -7,7 +7,7 @@
 namespace diefill::process {
 
 /// What a text is to be, for messages.
-enum class TextKind { scene, csv };
+enum class TextKind { scene, calibration, csv };
 
 /// Throws SceneError, naming `file` and the line, for UTF-16, UTF-32, bytes that are not UTF-8 and control
 /// characters other than tab and line ends.

@@ -8,8 +8,8 @@
 namespace diefill::process {
 
 /// Number of other grains that every grain touches: at least one of its spheres overlaps one of theirs,
-/// within `tolerance` (of the sphere radius). Several contacts of the same two grains count once; walls do
-/// not count.
+/// within `tolerance` (of the sphere radius), across periodic boundaries too. Several contacts of the same
+/// two grains count once; walls do not count, nor does a grain's own image.
 std::vector<int> coordination_numbers(const results::PowderState& powder, double tolerance = 1e-9);
 
 }  // namespace diefill::process

@@ -7,8 +7,8 @@ namespace diefill::process {
 
 /// Powder, tools and solid fractions at the kept instant (FillResult::instants) nearest to `time` (s), or the
 /// end where that is nearer. Solid fractions are measured again, or left out; maps, sections and profiles are
-/// left out. Throws std::invalid_argument, naming what there is, where `time` is further from any than half
-/// their spacing beyond the first or last, or there are none.
+/// left out. Throws std::invalid_argument, naming what there is, where `time` is farther from all of them and
+/// the end than the first two instants are apart, or than 2 % of the end's time where there are fewer.
 results::FillResult result_at(const results::FillResult& result, double time,
                               bool with_solid_fraction = true);
 

@@ -7,8 +7,8 @@
 namespace diefill::process {
 
 /// Solid fraction of every grain by Voronoi cells (Bierwisch 2009, section 2.6; walls cut on the wall
-/// spheres' surface). A cell is open where it would reach farther than 2 d from one of its spheres. Solid
-/// fraction of a grain without any cell is 0, and its cell open.
+/// spheres' surface). A cell is open where it would reach farther than the largest d from one of its spheres'
+/// centres. Solid fraction of a grain without any cell is 0, and its cell open.
 results::GrainSolidFraction measure_solid_fraction(const results::PowderState& powder,
                                                    const std::vector<results::ToolState>& tools,
                                                    const results::CavityState& cavity);

@@ -6,35 +6,21 @@
 #include <functional>
 #include <limits>
 
+#include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
+#include "process/input/shown_value.h"
 #include "process/input/unit_conversion.h"
+#include "process/measured_data/known_fields.h"
 #include "process/measured_data/simulated_values.h"
+#include "process/results/studies/correlation.h"
 #include "process/scene/zones.h"
 
 namespace diefill::process {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMin = 3;  // points of a correlation
 
 using Chosen = std::function<bool(std::size_t)>;
-
-/// Pearson's correlation; NaN where it is not determined.
-double correlation_of(const std::vector<double>& a, const std::vector<double>& b) {
-  if (a.size() < kMin) return kNone;
-  double mean_a = 0, mean_b = 0, ab = 0, aa = 0, bb = 0;
-  const auto count = static_cast<double>(a.size());
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    mean_a += a[k] / count;
-    mean_b += b[k] / count;
-  }
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    ab += (a[k] - mean_a) * (b[k] - mean_b);
-    aa += (a[k] - mean_a) * (a[k] - mean_a);
-    bb += (b[k] - mean_b) * (b[k] - mean_b);
-  }
-  return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : kNone;
-}
 
 results::MeasuredZone zone_of(const std::string& name, const results::MeasuredComparison& comparison,
                               const Chosen& chosen) {
@@ -44,7 +30,8 @@ results::MeasuredZone zone_of(const std::string& name, const results::MeasuredCo
     measured.push_back(comparison.measured[k]);
     simulated.push_back(comparison.simulated[k]);
   }
-  results::MeasuredZone zone{name, measured.size(), kNone, kNone, kNone, correlation_of(measured, simulated)};
+  results::MeasuredZone zone{name,  measured.size(), kNone,
+                             kNone, kNone,           results::pearson_correlation(measured, simulated)};
   if (measured.empty()) return zone;
   const auto count = static_cast<double>(measured.size());
   zone.measured = zone.simulated = zone.rms = 0;
@@ -62,10 +49,11 @@ void add(results::MeasuredComparison& comparison, const std::string& name, const
   if (zone.points > 0) comparison.zones.push_back(std::move(zone));
 }
 
-/// Quarters of the circle, or thirds of the measured range.
+/// Quarters of the circle in degrees, or thirds of the measured range in `unit`.
 void add_parts(results::MeasuredComparison& comparison, const std::string& name, const std::string& unit,
                const std::vector<double>& at) {
-  const bool round = name == "azimuth" && unit == "deg";
+  const bool round = name == "azimuth" && has_same_dimension(unit, "deg");
+  const double degrees = round ? unit_factor(unit, "deg") : 0;
   const int parts = round ? 4 : 3;
   const auto [least, most] = std::minmax_element(at.begin(), at.end());
   const double start = round ? 0 : *least, width = (round ? 360 : *most - *least) / parts;
@@ -73,9 +61,9 @@ void add_parts(results::MeasuredComparison& comparison, const std::string& name,
   for (int part = 0; part < parts; ++part) {
     char text[160];
     std::snprintf(text, sizeof text, "%s %.4g to %.4g %s", name.c_str(), start + part * width,
-                  start + (part + 1) * width, unit.c_str());
+                  start + (part + 1) * width, round ? "deg" : unit.c_str());
     add(comparison, text, [&, part](std::size_t k) {
-      const double place = round ? std::fmod(std::fmod(at[k], 360) + 360, 360) : at[k];
+      const double place = round ? azimuth_in_circle(degrees * at[k]) : at[k];
       return std::clamp(static_cast<int>(std::floor((place - start) / width)), 0, parts - 1) == part;
     });
   }
@@ -130,10 +118,24 @@ void add_zones(results::MeasuredComparison& comparison, const results::FillResul
   }
 }
 
+/// Throws SceneError for a quantity of no profile of the result whose name is near that of one.
+void refuse_misspelt_profile(const MeasuredTable& table, const results::FillResult& result) {
+  std::vector<std::string> known;
+  for (const results::Profile& profile : result.profiles)
+    for (const std::string& name : {profile.quantity, profile.quantity + " over " + profile.x_name}) {
+      if (same_name(name, table.value.name)) return;
+      known.push_back(name);
+    }
+  if (const auto meant = nearest_key(table.value.name, known))
+    throw SceneError(table.value.where + ": found \"" + one_line(table.value.name) +
+                     "\", of which the result has no profile; did you mean \"" + *meant + "\"?");
+}
+
 results::MeasuredComparison without_statistics(const MeasuredFile& measured,
                                                const results::FillResult& result) {
   const MeasuredTable& table = measured.table;
   const std::string where = measured.file.string();
+  if (table.places.size() == 1) refuse_misspelt_profile(table, result);
   results::MeasuredComparison comparison;
   comparison.name = measured.file.stem().string();
   comparison.quantity = table.value.name;

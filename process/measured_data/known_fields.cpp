@@ -110,6 +110,18 @@ void refuse_other_places(const MeasuredTable& table, const std::vector<std::stri
   }
 }
 
+bool holds_azimuths(const MeasuredColumn& place) {
+  return (same_name(place.name, "azimuth") || place.name == kUnnamedPlaces) &&
+         has_same_dimension(place.unit, "deg");
+}
+
+double azimuth_in_circle(double azimuth) {
+  constexpr double kCircle = 360, kSteps = 1e9;  // in a degree: 2 pi rad, converted, is 360 deg
+  const double within = std::round(std::fmod(azimuth, kCircle) * kSteps) / kSteps;
+  const double positive = within < 0 ? within + kCircle : within;
+  return positive < kCircle ? positive : 0;
+}
+
 bool same_name(const std::string& one, const std::string& other) {
   return one.size() == other.size() && edit_distance(one, other) == 0;
 }

@@ -41,6 +41,12 @@ std::vector<std::string> places_of_map(const std::string& quantity);
 /// without a name (kUnnamedPlaces) need the dimension of one of them.
 void refuse_other_places(const MeasuredTable& table, const std::vector<std::string>& allowed);
 
+/// Whether a column of places holds azimuths: by its name, or without one (kUnnamedPlaces) by its unit.
+bool holds_azimuths(const MeasuredColumn& place);
+
+/// The azimuth (deg) from 0 to below 360 of the same direction, to 1e-9 deg.
+double azimuth_in_circle(double azimuth);
+
 /// Whether the two names are the same but for capitals, blanks and dashes.
 bool same_name(const std::string& one, const std::string& other);
 

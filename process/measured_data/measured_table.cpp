@@ -5,13 +5,14 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <set>
 
 #include "process/input/csv_file.h"
+#include "process/input/named_file.h"
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
 #include "process/input/unit_conversion.h"
 #include "process/measured_data/known_fields.h"
+#include "process/measured_data/places.h"
 
 namespace diefill::process {
 namespace {
@@ -49,26 +50,38 @@ void convert(MeasuredColumn& deviation, const MeasuredColumn& value) {
   }
 }
 
-/// Throws SceneError for anything wrong with points and deviations.
-void check(const MeasuredTable& table) {
-  std::set<std::vector<double>> seen;
+/// Throws SceneError for a deviation that no measurement of these values has: chi^2 would be without bounds
+/// or without meaning.
+void check_deviations(const MeasuredTable& table) {
+  constexpr double kOfLargest = 1e9, kWithoutValue = 1e30;  // the latter where all values are 0
+  double largest = 0;
+  for (const double value : table.value.values) largest = std::max(largest, std::abs(value));
+  const double least = largest > 0 ? largest / kOfLargest : 1 / kWithoutValue,
+               most = largest > 0 ? largest * kOfLargest : kWithoutValue;
+  const std::string unit = table.value.unit == "1" ? "" : ' ' + table.value.unit;
   for (std::size_t k = 0; k < table.size(); ++k) {
-    if (!(table.deviation.values[k] > 0))
-      throw SceneError(table.where_of(k) + ": the standard deviation is " +
-                       number_text(table.deviation.values[k]) +
+    const double deviation = table.deviation.values[k];
+    const std::string found = table.where_of(k) + ": the standard deviation is " + number_text(deviation);
+    if (!(deviation > 0))
+      throw SceneError(found +
                        ", allowed: more than 0; give the standard deviation of repeated measurements");
-    std::vector<double> place;
-    for (const MeasuredColumn& column : table.places) place.push_back(column.values[k]);
-    if (!place.empty() && !seen.insert(place).second)
-      throw SceneError(table.where_of(k) +
-                       ": this place is given twice; give each place once, with the mean of its values");
-    if (place.size() == 1 && k > 0 && place[0] < table.places[0].values[k - 1])
-      throw SceneError(table.where_of(k) + ": " + number_text(place[0]) + " follows " +
-                       number_text(table.places[0].values[k - 1]) + "; sort the points in rising order");
+    if (deviation < least || deviation > most)
+      throw SceneError(found + unit + ", allowed: " + number_text(least) + " to " + number_text(most) + unit +
+                       (largest > 0 ? ", which is 1e-9 to 1e9 times the largest value" : "") +
+                       "; check the number and its unit");
   }
 }
 
-/// One list of numbers with units, all turned into the unit of the first.
+/// Drops the repeated end of closed curves and maps. Throws SceneError for anything wrong with points and
+/// deviations.
+void clean(MeasuredTable& table) {
+  drop_repeated_end(table);
+  check_deviations(table);
+  check_places(table);
+}
+
+/// One list of numbers with units, all turned into the unit of the first; `example` stands between the outer
+/// quotes of its list.
 MeasuredColumn column_from(TableReader& measurement, const std::string& key, const std::string& example) {
   MeasuredColumn column;
   column.name = key;
@@ -83,7 +96,7 @@ MeasuredColumn column_from(TableReader& measurement, const std::string& key, con
     }
   }
   if (column.values.empty())
-    measurement.reject(key, "expected measured values with their units, such as " + example);
+    measurement.reject(key, "expected measured values with their units, such as [\"" + example + "\"]");
   return column;
 }
 
@@ -91,11 +104,11 @@ MeasuredTable read_inline(TableReader& measurement, std::size_t places) {
   const bool single = places == 0;
   if (places == 2) measurement.require("file", "\"map.csv\"");
   MeasuredTable table;
-  if (!single) table.places.push_back(column_from(measurement, kUnnamedPlaces, "[\"0.1 m/s\", \"0.2 m/s\"]"));
-  table.value = single ? column_from(measurement, "value", "\"12.1 g\"")
-                       : column_from(measurement, "values", "[\"12.1 g\", \"8.3 g\"]");
+  if (!single) table.places.push_back(column_from(measurement, kUnnamedPlaces, "0.1 m/s\", \"0.2 m/s"));
+  table.value = single ? column_from(measurement, "value", "12.1 g")
+                       : column_from(measurement, "values", "12.1 g\", \"8.3 g");
   const std::string key = single ? "deviation" : "deviations";
-  table.deviation = column_from(measurement, key, single ? "\"0.3 g\"" : "[\"0.3 g\", \"0.2 g\"]");
+  table.deviation = column_from(measurement, key, single ? "0.3 g" : "0.3 g\", \"0.2 g");
   if (table.deviation.values.size() == 1)
     table.deviation.values.resize(table.size(), table.deviation.values[0]);
   const auto count = [&](const std::string& name, const MeasuredColumn& column, std::size_t wanted) {
@@ -108,7 +121,7 @@ MeasuredTable read_inline(TableReader& measurement, std::size_t places) {
   count(key, table.deviation, table.size());
   convert(table.deviation, table.value);
   table.where = table.value.where;
-  check(table);
+  clean(table);
   return table;
 }
 
@@ -209,10 +222,14 @@ MeasuredTable by_names(Columns read) {
   std::sort(table.places.begin(), table.places.end(),
             [](const auto& one, const auto& other) { return rank_of(one) < rank_of(other); });
   table.deviation = deviation.value_or(table.value);
-  if (!deviation) table.deviation.values.assign(table.size(), 1);
-  convert(table.deviation, table.value);
-  check(table);
-  if (!deviation) table.deviation.values.assign(table.size(), std::numeric_limits<double>::quiet_NaN());
+  if (deviation) {
+    convert(table.deviation, table.value);
+    check_deviations(table);
+  } else {
+    table.deviation.values.assign(table.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+  drop_repeated_end(table);
+  check_places(table);
   return table;
 }
 
@@ -259,7 +276,7 @@ MeasuredTable read_measured_csv(const std::filesystem::path& file, std::size_t p
   read.columns.pop_back();
   table.places = std::move(read.columns);
   convert(table.deviation, table.value);
-  check(table);
+  clean(table);
   return table;
 }
 
@@ -278,17 +295,15 @@ MeasuredTable read_measured_field(const std::filesystem::path& file) {
 }
 
 MeasuredTable read_measured(TableReader& measurement, std::size_t places) {
-  const auto name = measurement.text("file");
-  if (!name) return read_inline(measurement, places);
+  if (!measurement.has("file")) return read_inline(measurement, places);
   refuse_values_beside_file(measurement);
-  return read_measured_csv(measurement.file().parent_path() / *name, places);
+  return read_measured_csv(named_file(measurement, "file", "measured.csv"), places);
 }
 
 MeasuredTable read_measured_field(TableReader& measurement, std::size_t places) {
-  const auto name = measurement.text("file");
-  if (!name) return read_inline(measurement, places);
+  if (!measurement.has("file")) return read_inline(measurement, places);
   refuse_values_beside_file(measurement);
-  MeasuredTable table = field_in(measurement.file().parent_path() / *name, places);
+  MeasuredTable table = field_in(named_file(measurement, "file", "measured.csv"), places);
   if (table.places.size() != places)
     throw SceneError(table.where + ": found " + std::to_string(table.places.size()) +
                      " columns of places, expected " + std::to_string(places));

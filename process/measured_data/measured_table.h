@@ -36,8 +36,9 @@ inline constexpr const char* kUnnamedPlaces = "at";
 /// Reads a CSV: a header such as `velocity [m/s], mass [g], deviation [g]`, then numbers; lines that begin
 /// with # are comments. A column with "deviation" in its name may stand anywhere. Throws SceneError, in one
 /// line with file, line and column, for a missing unit, two columns of one name, a wrong number of columns, a
-/// text that is no number, a deviation that is not above zero, points of a curve that are not in rising
-/// order, and places given twice.
+/// text that is no number, a deviation that is not above zero or not within a factor of 1e9 of the largest
+/// value, points of a curve that are not in rising order, azimuths outside -360 to 720 deg, and places given
+/// twice (azimuths modulo 360 deg).
 MeasuredTable read_measured_csv(const std::filesystem::path& file, std::size_t places);
 
 /// Reads a profile or map whose columns say themselves what they are, in any order: one or two places as

@@ -1,19 +1,13 @@
 #include "process/measured_data/simulated_values.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-
 #include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
 #include "process/input/unit_conversion.h"
 #include "process/measured_data/known_fields.h"
+#include "process/results/field_value.h"
 
 namespace diefill::process {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 double factor_or_throw(const std::string& from, const std::string& to, const std::string& where) {
   try {
@@ -21,49 +15,6 @@ double factor_or_throw(const std::string& from, const std::string& to, const std
   } catch (const UnitError& error) {
     throw SceneError(where + ": " + error.what());
   }
-}
-
-/// Place of `x` among rising nodes: index below and share towards the next; nothing outside.
-struct Between {
-  std::size_t below = 0;
-  double share = 0;
-};
-
-std::optional<Between> between(const std::vector<double>& nodes, double x, bool round) {
-  if (nodes.empty()) return std::nullopt;
-  if (round && (x < nodes.front() || x > nodes.back())) {
-    // Azimuths continue beyond 360 degrees: between the last node and the first.
-    const double gap = 360 - nodes.back() + nodes.front();
-    const double past = std::fmod(x - nodes.back() + 720, 360);
-    return gap > 0 ? std::optional<Between>({nodes.size() - 1, std::min(1.0, past / gap)}) : std::nullopt;
-  }
-  if (x < nodes.front() || x > nodes.back()) return std::nullopt;
-  const auto next = std::upper_bound(nodes.begin(), nodes.end(), x);
-  if (next == nodes.end()) return Between{nodes.size() - 1, 0};
-  const auto below = static_cast<std::size_t>(next - nodes.begin()) - 1;
-  return Between{below, (x - nodes[below]) / (nodes[below + 1] - nodes[below])};
-}
-
-double mixed(double a, double b, double share) {
-  return share == 0 ? a : (1 - share) * a + share * b;
-}
-
-double value_at(const results::Profile& profile, double x) {
-  const auto at = between(profile.x, x, profile.x_name == "azimuth");
-  if (!at) return kNone;
-  return mixed(profile.y[at->below], profile.y[(at->below + 1) % profile.y.size()], at->share);
-}
-
-double value_at(const results::Field2D& field, double first, double second) {
-  const auto i = between(field.first, first, field.first_name == "azimuth"),
-             j = between(field.second, second, false);
-  if (!i || !j) return kNone;
-  const std::size_t width = field.first.size(), right = (i->below + 1) % width,
-                    above = std::min(j->below + 1, field.second.size() - 1);
-  const auto row = [&](std::size_t k) {
-    return mixed(field.value[k * width + i->below], field.value[k * width + right], i->share);
-  };
-  return mixed(row(j->below), row(above), j->share);
 }
 
 /// The available words, and the one that was probably meant.
@@ -143,7 +94,7 @@ std::vector<double> profile_values(const results::FillResult& result, const std:
   const double along = factor_or_throw(place.unit, profile.x_unit, place.where),
                factor = factor_or_throw(profile.unit, data.value.unit, data.value.where);
   std::vector<double> values;
-  for (const double x : place.values) values.push_back(factor * value_at(profile, along * x));
+  for (const double x : place.values) values.push_back(factor * results::value_at(profile, along * x));
   return values;
 }
 
@@ -160,8 +111,8 @@ std::vector<double> map_values(const results::FillResult& result, const std::str
                  factor = factor_or_throw(unit_of(*field), data.value.unit, data.value.where);
     std::vector<double> values;
     for (std::size_t k = 0; k < data.size(); ++k)
-      values.push_back(factor *
-                       value_at(*field, along_first * first.values[k], along_second * second.values[k]));
+      values.push_back(
+          factor * results::value_at(*field, along_first * first.values[k], along_second * second.values[k]));
     return values;
   }
   throw SceneError(where + ": the result has no map or section \"" + quantity + "\"; it has " +

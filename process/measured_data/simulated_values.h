@@ -10,9 +10,9 @@
 namespace diefill::process {
 
 /// The profile called `quantity` ("fill level", or "fill level over azimuth") that runs over the table's
-/// places, there, in the unit of its values; NaN where it has none. Azimuths continue beyond 360 degrees.
-/// `where` begins messages. Throws SceneError where the result has no such profile, with those it has, and
-/// for places of another name and units of another dimension.
+/// places, there, in the unit of its values; NaN where it has none. Azimuths continue round the circle
+/// (value_at). `where` begins messages. Throws SceneError where the result has no such profile, with those it
+/// has, and for places of another name and units of another dimension.
 std::vector<double> profile_values(const results::FillResult& result, const std::string& quantity,
                                    const MeasuredTable& data, const std::string& where);
 

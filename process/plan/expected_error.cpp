@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "process/plan/grain_size_trends.h"
 #include "process/plan/setting.h"
+#include "process/results/formatted.h"
 #include "process/results/word_list.h"
 #include "process/scene/unchanged_preset.h"
 
@@ -46,6 +46,8 @@ std::optional<ExpectedError> error_of_bed(const PowderSpec& powder, double grain
 
 using Trends = std::vector<GrainSizeTrend>;
 
+constexpr double kSameShare = 1.03;  // d/b up to this many times one that was run counts as that one
+
 bool was_measured(const Trends& all, const std::string& powder, const std::string& figure) {
   return std::any_of(all.begin(), all.end(),
                      [&](const auto& trend) { return powder == trend.powder && figure == trend.figure; });
@@ -61,42 +63,77 @@ std::string names(const std::vector<const GrainSizeTrend*>& trends, NameOf name_
   return results::and_list(found);
 }
 
-/// Error of one figure with grains of `share` of the relevant length; nothing where it was not measured.
-std::optional<ExpectedError> error_of_size(const Trends& all, const std::string& table,
-                                           const std::string& powder, double share,
-                                           const std::string& figure) {
+/// The trends of a figure: of the powder itself where it was measured, else of all.
+std::vector<const GrainSizeTrend*> trends_of(const Trends& all, const std::string& powder,
+                                             const std::string& figure) {
   const bool own = was_measured(all, powder, figure);
   std::vector<const GrainSizeTrend*> trends;
-  ExpectedError found{figure, 0, 0, {}};
+  for (const auto& trend : all)
+    if (trend.figure == figure && (!own || trend.powder == powder)) trends.push_back(&trend);
+  return trends;
+}
+
+double coarsest_of(const std::vector<const GrainSizeTrend*>& trends) {
+  double coarsest = 0;
+  for (const auto* trend : trends) coarsest = std::max(coarsest, trend->coarsest);
+  return coarsest;
+}
+
+double error_at(const GrainSizeTrend& trend, double share) {
+  return std::hypot(trend.slope, trend.slope_error) * share;
+}
+
+std::string extrapolation_text(double beyond) {
+  return results::formatted("extrapolated beyond d/b = %.2g", beyond);
+}
+
+/// The largest error that these trends of a figure give with grains of `share` of the length that matters.
+ExpectedError error_of_size(const std::vector<const GrainSizeTrend*>& trends, const std::string& table,
+                            const std::string& powder, double share) {
+  const GrainSizeTrend& worst = **std::max_element(
+      trends.begin(), trends.end(),
+      [&](const auto* a, const auto* b) { return error_at(*a, share) < error_at(*b, share); });
+  ExpectedError found{worst.figure, error_at(worst, share), 0, {}};
+  if (share > kSameShare * worst.coarsest) found.extrapolated_beyond = worst.coarsest;
   int runs = 0;
-  for (const auto& trend : all) {
-    if (trend.figure != figure || (own && trend.powder != powder) || share > trend.coarsest * (1 + 1e-6))
-      continue;
-    trends.push_back(&trend);
-    runs += trend.runs;
-    found.error = std::max(found.error, std::abs(trend.slope) * share);
-    found.scatter = std::max(found.scatter, trend.scatter);
+  for (const auto* trend : trends) {
+    runs += trend->runs;
+    found.scatter = std::max(found.scatter, trend->scatter);
   }
-  if (trends.empty()) return std::nullopt;
   found.source = std::to_string(runs) + " runs of " + names(trends, [](const auto& t) { return t.powder; }) +
                  " in " + names(trends, [](const auto& t) { return t.scene; }) +
-                 (own ? "" : ", another powder") + " (process/plan/" + table + ")";
+                 (trends.front()->powder == powder ? "" : ", another powder") +
+                 (found.extrapolated_beyond > 0 ? ", " + extrapolation_text(found.extrapolated_beyond) : "") +
+                 " (process/plan/" + table + ")";
   return found;
+}
+
+/// Adds the errors of figures that depend on the same length, up to the coarsest grains that were run of any.
+void add_errors(const Trends& all, const std::string& table, const std::string& powder, double share,
+                const std::vector<std::string>& figures, std::vector<ExpectedError>& errors) {
+  std::vector<std::vector<const GrainSizeTrend*>> trends;
+  double coarsest = 0;
+  for (const auto& figure : figures) {
+    trends.push_back(trends_of(all, powder, figure));
+    coarsest = std::max(coarsest, coarsest_of(trends.back()));
+  }
+  if (share > kSameShare * coarsest) return;
+  for (const auto& of_figure : trends)
+    if (!of_figure.empty()) errors.push_back(error_of_size(of_figure, table, powder, share));
 }
 
 /// Errors due to the grain size, in the order in which they are reported.
 std::vector<ExpectedError> errors_of_size(const std::string& powder, double diameter,
                                           const SceneLengths& lengths) {
   std::vector<ExpectedError> errors;
-  const auto add = [&](const Trends& all, const std::string& table, double length, const char* figure) {
-    if (!(length > 0)) return;
-    if (auto error = error_of_size(all, table, powder, diameter / length, figure)) errors.push_back(*error);
-  };
-  for (const char* figure : {"mass of a full cavity", "mean solid fraction", "unevenness"})
-    add(grain_size_trends(), "grain_size_errors.csv", lengths.cavity, figure);
-  if (lengths.cavity > 0) return errors;
+  if (lengths.cavity > 0) {
+    add_errors(grain_size_trends(), "grain_size_errors.csv", powder, diameter / lengths.cavity,
+               {"mass of a full cavity", "mean solid fraction", "unevenness"}, errors);
+    return errors;
+  }
   const auto open = [&](double length, const char* figure) {
-    add(open_scene_trends(), "open_scene_errors.csv", length, figure);
+    if (length > 0)
+      add_errors(open_scene_trends(), "open_scene_errors.csv", powder, diameter / length, {figure}, errors);
   };
   open(lengths.opening, "mass through the opening");
   if (lengths.opening > 0) return errors;
@@ -129,14 +166,12 @@ const ExpectedError* largest(const std::vector<ExpectedError>& errors) {
 
 std::string words_of(const std::vector<ExpectedError>& errors) {
   std::string text;
-  char buffer[200];
   for (const auto& error : errors) {
-    std::snprintf(buffer, sizeof buffer, "%s%s %.2g %%", text.empty() ? "" : ", ", error.quantity.c_str(),
-                  100 * error.error);
-    text += buffer;
-    if (!(error.scatter > 0)) continue;
-    std::snprintf(buffer, sizeof buffer, " (scatter %.2g %%)", 100 * error.scatter);
-    text += buffer;
+    std::string known = error.scatter > 0 ? results::formatted("scatter %.2g %%", 100 * error.scatter) : "";
+    if (error.extrapolated_beyond > 0)
+      known += (known.empty() ? "" : ", ") + extrapolation_text(error.extrapolated_beyond);
+    text += (text.empty() ? "" : ", ") + error.quantity + results::formatted(" %.2g %%", 100 * error.error) +
+            (known.empty() ? "" : " (" + known + ")");
   }
   return text;
 }

@@ -6,6 +6,7 @@
 #include "engine/limits/time_step.h"
 #include "process/machine/force_control.h"
 #include "process/plan/setting.h"
+#include "process/powder/changed_scene.h"
 #include "process/powder/empty_annulus.h"
 #include "process/powder/material.h"
 #include "process/setup/impact_speed.h"
@@ -16,11 +17,12 @@ namespace {
 
 constexpr double kSymmetryOverRadius = 0.2;  // as `diefill check` has it
 
-/// Pa: weight of the powder over the deepest place, as if no wall carried any of it.
+/// Pa: weight of the powder over the deepest place under the largest gravity of any step, as if no wall
+/// carried any of it.
 double weight_pressure(const Scene& scene, const Tooling& tooling, const engine::GrainShape& shape) {
   const double depth =
       scene.pour.fill_height + (tooling.cavity.found ? tooling.all_cavities().box.size()[2] : 0);
-  return shape.mass / shape.solid_volume * expected_solid_fraction(scene) * scene.gravity.norm() * depth;
+  return shape.mass / shape.solid_volume * expected_solid_fraction(scene) * largest_gravity(scene) * depth;
 }
 
 /// Pa: of the force-controlled tool that presses hardest, its force over the area it presses with.

@@ -24,10 +24,10 @@ struct Needs {
   double time_step = 0, critical_step = 0;  ///< s
   double wedged_step = 0;                   ///< s, wedged_time_step()
   double impact_speed = 0;                  ///< m/s
-  double weight_pressure = 0;               ///< Pa, of the powder's own weight at the deepest place
+  double weight_pressure = 0;               ///< Pa, of the powder's own weight at the deepest place, at most
   double piston_pressure = 0;               ///< Pa, of the hardest pressing force-controlled tool; 0: none
   double modulus = 0;                       ///< Pa, E~ of the powder
-  double least_modulus = 0;                 ///< Pa
+  double least_modulus = 0;                 ///< Pa; 0: nothing presses on the powder
   double damping_over_radius = 0;           ///< Pa s/m
   double fill_height = 0;                   ///< m
   std::vector<SymmetryPlane> planes;

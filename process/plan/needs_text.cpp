@@ -57,28 +57,33 @@ void add_step_statement(const Needs& needs, const Scene& scene, std::vector<std:
                "CAD mesh itself (walls.kind = \"mesh\") allow longer steps"));
 }
 
-void add_stiffness_statement(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
-  const std::string piston = needs.piston_pressure > 0 ? results::formatted(" and %.3g kPa under the piston",
-                                                                            1e-3 * needs.piston_pressure)
-                                                       : "";
-  if (scene.contact) {
-    said.push_back(results::formatted("stiffness: the weight of the powder exerts at most %.3g kPa",
-                                      1e-3 * needs.weight_pressure) +
-                   piston +
-                   "; [contact] sets the spring: the run reports overlaps above 0.2 of the sphere radius");
-    return;
-  }
+/// What the pressures on the powder require of E~.
+std::string modulus_text(const Needs& needs) {
+  if (!(needs.least_modulus > 0))
+    return ", and no piston presses: this requires no least E~; the run reports overlaps above 0.2 of the "
+           "sphere radius";
   const std::string verdict =
       needs.modulus >= needs.least_modulus
           ? results::formatted("%.3g MPa is %.1f times that", 1e-6 * needs.modulus,
                                needs.modulus / needs.least_modulus)
           : results::formatted("%.3g MPa is too soft: raise powder.reduced_modulus", 1e-6 * needs.modulus);
-  said.push_back(results::formatted("stiffness: the weight of the powder exerts at most %.3g kPa",
-                                    1e-3 * needs.weight_pressure) +
-                 piston +
-                 results::formatted(", which requires E~ of %.3g MPa (3000 times as much); ",
-                                    1e-6 * needs.least_modulus) +
-                 verdict);
+  return results::formatted(", which requires E~ of %.3g MPa (3000 times as much); ",
+                            1e-6 * needs.least_modulus) +
+         verdict;
+}
+
+void add_stiffness_statement(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
+  const std::string piston = needs.piston_pressure > 0 ? results::formatted(" and %.3g kPa under the piston",
+                                                                            1e-3 * needs.piston_pressure)
+                                                       : "";
+  const std::string pressure = results::formatted(
+      "stiffness: the weight of the powder exerts at most %.3g kPa", 1e-3 * needs.weight_pressure);
+  if (scene.contact) {
+    said.push_back(pressure + piston +
+                   "; [contact] sets the spring: the run reports overlaps above 0.2 of the sphere radius");
+    return;
+  }
+  said.push_back(pressure + piston + modulus_text(needs));
   if (needs.damping_over_radius > kMaxDamping)
     said.push_back(results::formatted(
         "damping: gamma_n / R of %.2g Pa s/m is above 3e6, where it only shortens the time step; reduce "
@@ -120,9 +125,9 @@ void add_symmetry_statement(const Needs& needs, std::vector<std::string>& said) 
                                                  axis, std::round(1e6 * plane.offset) / 1e3 + 0.0);
     said.push_back(
         where +
-        (plane.spoiler.empty()
+        (plane.asymmetry.empty()
              ? ", and so are powder and motion: a half model is possible (economy.mirror; verify it first)"
-             : ", but not " + plane.spoiler));
+             : ", but not " + plane.asymmetry));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "engine/observe/powder_figures.h"
 #include "process/plan/alarm.h"
 #include "process/plan/forecast.h"
 #include "process/plan/pilot_scene.h"
@@ -155,7 +156,7 @@ class PilotRun {
  private:
   void run_until_stopped(FillRun& run) {
     meter_.begin(run);
-    pilot_.spheres = run.simulation().grains().size() * run.simulation().types().spheres();
+    pilot_.spheres = engine::sphere_count(run.simulation());
     try {
       run.run();
       pilot_.stopped = run.why_unfinished();

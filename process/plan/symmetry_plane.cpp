@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "process/machine/actions/powder_change.h"
+
 namespace diefill::process::plan {
 
 namespace {
@@ -46,7 +48,19 @@ bool moves_symmetrically(const Step& step, const SymmetryPlane& plane) {
   return true;
 }
 
-std::string spoiler_of(const Scene& scene, const SymmetryPlane& plane, double tolerance) {
+/// Gravity across the plane, at the start or from a step on; empty: none.
+std::string gravity_across(const Scene& scene, const SymmetryPlane& plane) {
+  if (scene.gravity.dot(plane.normal) != 0) return "gravity";
+  for (const auto& step : scene.steps) {
+    const PowderChange* change = step->change();
+    if (change != nullptr && change->gravity && change->gravity->dot(plane.normal) != 0)
+      return "gravity from the step on: " + step->description();
+  }
+  return {};
+}
+
+std::string asymmetry_of(const Scene& scene, const SymmetryPlane& plane, double tolerance) {
+  if (std::string gravity = gravity_across(scene, plane); !gravity.empty()) return gravity;
   if (!pours_symmetrically(scene.pour, plane, tolerance)) return "the pour box";
   // Periods are centred on the origin.
   const auto period = scene.numerics.period[plane.normal[0] > 0.5 ? 0 : 1];
@@ -72,7 +86,7 @@ std::vector<SymmetryPlane> common_planes(const Scene& scene, const Tooling& tool
     const bool all = std::all_of(symmetry.begin(), symmetry.end(),
                                  [&](const auto& found) { return has_plane(found, plane, tolerance); });
     if (!all) continue;
-    plane.spoiler = spoiler_of(scene, plane, tolerance);
+    plane.asymmetry = asymmetry_of(scene, plane, tolerance);
     common.push_back(std::move(plane));
   }
   return common;

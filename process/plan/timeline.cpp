@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "process/machine/actions/clear.h"
 #include "process/machine/actions/powder_inflow.h"
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
 #include "process/setup/pour.h"
+#include "process/tooling/half_model.h"
 
 namespace diefill::process::plan {
 
@@ -24,19 +26,28 @@ double grains_in_cavity(const Scene& scene, const Tooling& tooling, const engine
              : 0;
 }
 
+/// Grains, of both halves in a half model, that a step has let in by `time`. Without rate and mass it follows
+/// what runs out, so that their number stays.
+double grains_let_in(const Scene& scene, const PowderInflow& inflow, const StepState& state, double time) {
+  const double elapsed = (state.has_ended() ? std::min(time, state.ended) : time) - state.started;
+  const double mass_of_one = mean_of_inflow(scene, inflow).mass;
+  if (inflow.rate)
+    return std::min(*inflow.rate * elapsed, inflow.mass.value_or(std::numeric_limits<double>::infinity())) /
+           mass_of_one;
+  const double lasted = std::max(1e-12, state.ended - state.started);
+  return inflow.mass.value_or(0) / mass_of_one * std::min(1.0, elapsed / lasted);
+}
+
 /// Grains over those poured at `time`: steps let some in and take some away.
 double share_at(double time, const Scene& scene, const Tooling& tooling, const Stages& stages,
                 const std::vector<StepState>& states) {
   const auto shape = mean_grain(scene);
-  const auto poured = static_cast<double>(grains_to_pour(scene));
+  const double poured = copies(tooling) * static_cast<double>(grains_to_pour(scene));
   double grains = poured;
   for (std::size_t k = 0; k < stages.size(); ++k) {
     if (states[k].is_pending() || states[k].started > time) continue;
-    const PowderInflow* inflow = stages.steps[k]->inflow();
-    const double lasted = std::max(1e-12, states[k].ended - states[k].started);
-    if (inflow != nullptr && inflow->mass)
-      grains += *inflow->mass / mean_of_inflow(scene, *inflow).mass *
-                std::min(1.0, (time - states[k].started) / lasted);
+    if (const PowderInflow* inflow = stages.steps[k]->inflow())
+      grains += grains_let_in(scene, *inflow, states[k], time);
     const PowderRemoval* removal = stages.steps[k]->removal();
     if (removal == nullptr || removal->above) continue;
     grains = removal->lowest ? *removal->lowest * grains

@@ -1,5 +1,7 @@
 #include "process/powder/changed_scene.h"
 
+#include <algorithm>
+
 #include "process/scene/contact_spec.h"
 
 namespace diefill::process {
@@ -70,6 +72,14 @@ std::vector<Scene> changed_scenes(const Scene& scene) {
     changed.push_back(changed_scene(changed.empty() ? scene : changed.back(), *change));
   }
   return changed;
+}
+
+double largest_gravity(const Scene& scene) {
+  double largest = scene.gravity.norm();
+  for (const auto& step : scene.steps)
+    if (const PowderChange* change = step->change(); change != nullptr && change->gravity)
+      largest = std::max(largest, change->gravity->norm());
+  return largest;
 }
 
 }  // namespace diefill::process

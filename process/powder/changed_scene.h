@@ -12,4 +12,7 @@ Scene changed_scene(Scene scene, const PowderChange& change);
 /// The scene after each of its steps that changes laws or gravity, in their order.
 std::vector<Scene> changed_scenes(const Scene& scene);
 
+/// m/s^2, the largest magnitude of gravity at the start and after any step.
+double largest_gravity(const Scene& scene);
+
 }  // namespace diefill::process

@@ -54,12 +54,11 @@ engine::SimulationSettings engine_settings(const Scene& scene, double impact_spe
   settings.skin = scene.numerics.skin;
   constexpr double kAnyStep = 1e-30;  // s: laws that refuse steps too long are asked for their limit first
   settings.contact = contact_laws(scene, kAnyStep);
-  settings.time_step = chosen_time_step(scene, settings, critical_time_step(settings, impact_speed));
+  settings.time_step = chosen_time_step(scene, settings, impact_speed);
   for (const Scene& later : changed_scenes(scene)) {
     engine::SimulationSettings changed = settings;
     changed.contact = contact_laws(later, kAnyStep);
-    settings.time_step = std::min(
-        settings.time_step, chosen_time_step(later, changed, critical_time_step(changed, impact_speed)));
+    settings.time_step = std::min(settings.time_step, chosen_time_step(later, changed, impact_speed));
   }
   settings.contact = contact_laws(scene, settings.time_step);
   return settings;

@@ -6,6 +6,7 @@
 
 #include "engine/limits/time_step.h"
 #include "process/input/numbers_apart.h"
+#include "process/input/units.h"
 #include "process/powder/tool_surface.h"
 
 namespace diefill::process {
@@ -56,6 +57,34 @@ double pinch_step(const Scene& scene, const ToolSpec& tool, const engine::Partic
   return engine::pinch_time_step(types, contact, own, surface, spacing, overlap);
 }
 
+[[noreturn]] void refuse(const Scene& scene, const std::string& key, const std::string& reason) {
+  throw SceneError(scene.file.string() + ": numerics." + key + ": found " + reason + " or remove the key");
+}
+
+/// The part of a message that follows a step (s) too long for the dampers of contacts that last.
+std::string too_long_for_damping(const std::string& longest) {
+  return " s, which is not below the " + longest +
+         " s up to which contacts with this damping are stable; reduce it, lower the damping";
+}
+
+[[noreturn]] void refuse_own_step(const Scene& scene, double critical, double lasting) {
+  const double step = *scene.numerics.time_step;
+  const auto [found, longest] = numbers_apart(step, step < critical ? lasting : critical);
+  if (step < critical) refuse(scene, "time_step", found + too_long_for_damping(longest));
+  const std::string below =
+      lasting < critical ? " below " + number_text(lasting) + " s, the limit of its damping," : "";
+  refuse(
+      scene, "time_step",
+      found + " s, which is above the critical step of " + longest + " s for this powder; reduce it" + below);
+}
+
+[[noreturn]] void refuse_fraction(const Scene& scene, double step, double lasting) {
+  const auto [found, longest] = numbers_apart(step, lasting);
+  refuse(scene, "time_step_fraction",
+         number_text(scene.numerics.time_step_fraction) + ", a step of " + found +
+             too_long_for_damping(longest));
+}
+
 }  // namespace
 
 double critical_time_step(const engine::SimulationSettings& settings, double impact_speed) {
@@ -76,17 +105,24 @@ double wedged_time_step(const Scene& scene, const engine::SimulationSettings& se
   return kPinchFraction * shortest;
 }
 
-double chosen_time_step(const Scene& scene, const engine::SimulationSettings& settings, double critical) {
+double lasting_contact_time_step(const engine::SimulationSettings& settings, double impact_speed) {
+  return engine::lasting_contact_time_step(moving_types(settings), settings.contact, surfaces_of(settings),
+                                           impact_speed);
+}
+
+double chosen_time_step(const Scene& scene, const engine::SimulationSettings& settings, double impact_speed) {
   const NumericsSpec& numerics = scene.numerics;
-  if (!numerics.time_step) {
-    if (numerics.time_step_fraction > 0) return numerics.time_step_fraction * critical;
+  const double critical = critical_time_step(settings, impact_speed);
+  if (!numerics.time_step && !(numerics.time_step_fraction > 0))
     return std::min(engine::kDefaultTimeStepFraction * critical, wedged_time_step(scene, settings));
+  const double lasting = lasting_contact_time_step(settings, impact_speed);
+  if (!numerics.time_step) {
+    const double step = numerics.time_step_fraction * critical;
+    if (step < lasting) return step;
+    refuse_fraction(scene, step, lasting);
   }
-  if (*numerics.time_step < critical) return *numerics.time_step;
-  const auto [found, longest] = numbers_apart(*numerics.time_step, critical);
-  throw SceneError(scene.file.string() + ": numerics.time_step: found " + found +
-                   " s, which is above the critical step of " + longest +
-                   " s for this powder; reduce it or remove the key");
+  if (*numerics.time_step < std::min(critical, lasting)) return *numerics.time_step;
+  refuse_own_step(scene, critical, lasting);
 }
 
 }  // namespace diefill::process

@@ -15,12 +15,18 @@ inline constexpr double kShearingOverlap = 0.45;
 /// Critical time step (s) of those settings at `impact_speed` (m/s), grains and walls.
 double critical_time_step(const engine::SimulationSettings& settings, double impact_speed);
 
+/// Longest stable step (s) of one contact of those settings that lasts after an impact at `impact_speed`
+/// (m/s): shorter than the critical one where contacts are strongly damped
+/// (engine::lasting_contact_time_step()).
+double lasting_contact_time_step(const engine::SimulationSettings& settings, double impact_speed);
+
 /// s, longest step in which grains that the scene's moving tools wedge stay stable, with the margin of a step
 /// that is chosen; infinite where no tool moves. `settings` are those of the scene.
 double wedged_time_step(const Scene& scene, const engine::SimulationSettings& settings);
 
-/// s: the scene's own, or the usual share of `critical` (s) and of what wedged grains allow. Throws
-/// SceneError when the scene's own is above the critical one.
-double chosen_time_step(const Scene& scene, const engine::SimulationSettings& settings, double critical);
+/// s: the scene's own, or the usual share of the critical step at `impact_speed` (m/s) and of what wedged
+/// grains allow. Throws SceneError when the scene's own step, or the one of its own share, is not below the
+/// critical one and that of lasting contacts.
+double chosen_time_step(const Scene& scene, const engine::SimulationSettings& settings, double impact_speed);
 
 }  // namespace diefill::process

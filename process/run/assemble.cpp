@@ -143,7 +143,7 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["finished"] = run.schedule().finished() ? 1 : 0;
   figures["filled_mass_kg"] = filled_mass(result.powder, result.solid_fraction);
   figures["grains"] = grains;
-  figures["spheres"] = grains * static_cast<double>(settings.shape().spheres());
+  figures["spheres"] = static_cast<double>(result.powder.sphere_count());
   figures["wall_spheres"] = static_cast<double>(tooling.wall_spheres());
   figures["steps"] = static_cast<double>(simulation.steps());
   figures["time_step_s"] = settings.time_step;
@@ -208,12 +208,8 @@ void add_margin_figures(results::FillResult& result, const FillRun& run) {
   figures["time_step_fraction"] = simulation.settings().time_step / run.critical_time_step();
   figures["energy_balance_error"] = engine::energy_balance_error(simulation);
   const engine::DeepestOverlap& deepest = simulation.overlaps_of_run();
-  const bool monodisperse = simulation.types().monodisperse();
-  figures["deepest_overlap_ratio"] = monodisperse
-                                         ? deepest.grains / simulation.settings().shape().sphere_radius
-                                         : deepest.grains_over_radius;
-  figures["deepest_wall_overlap_ratio"] =
-      monodisperse ? deepest.walls / simulation.settings().shape().sphere_radius : deepest.walls_over_radius;
+  figures["deepest_overlap_ratio"] = deepest.grains_over_radius;
+  figures["deepest_wall_overlap_ratio"] = deepest.walls_over_radius;
   figures["overlap_limit_ratio"] = engine::ValidityLimits{}.forbidden_overlap;
   figures["wall_overlap_limit_ratio"] = engine::ValidityLimits{}.forbidden_wall_overlap;
   figures["energy_error_limit"] = engine::ValidityLimits{}.energy_error;

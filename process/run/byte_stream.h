@@ -29,6 +29,10 @@ class ByteWriter {
     (*this)(static_cast<std::uint64_t>(text.size()));
     bytes_ += text;
   }
+  void operator()(const std::vector<std::string>& texts) {
+    (*this)(static_cast<std::uint64_t>(texts.size()));
+    for (const std::string& text : texts) (*this)(text);
+  }
   const std::string& bytes() const { return bytes_; }
 
  private:
@@ -51,6 +55,10 @@ class ByteReader {
   void operator()(std::string& text) {
     text.resize(count_of(1));
     take(text.data(), text.size());
+  }
+  void operator()(std::vector<std::string>& texts) {
+    texts.resize(count_of(sizeof(std::uint64_t)));
+    for (std::string& text : texts) (*this)(text);
   }
 
  private:

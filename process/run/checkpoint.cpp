@@ -14,12 +14,23 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '1', '8'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '1', '9'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   engine::Fnv1a hash;
   hash.add(bytes);
   return hash.value();
+}
+
+/// Passes every value of the warnings to `io`, a ByteWriter or a ByteReader.
+template <class Io, class Warnings>
+void transfer_warnings(Io& io, Warnings& warnings) {
+  io(warnings.overlap);
+  io(warnings.pinch);
+  io(warnings.energy);
+  io(warnings.speed);
+  io(warnings.contacts);
+  io(warnings.texts);
 }
 
 /// Passes every value of a checkpoint to `io`, a ByteWriter or a ByteReader: one list, so that the two cannot
@@ -30,7 +41,9 @@ void transfer(Io& io, Contents& checkpoint) {
   io(checkpoint.start_hash);
   io(checkpoint.grains_removed);
   io(checkpoint.grains_sheared);
-  io(checkpoint.grains_leaked);
+  io(checkpoint.leaks.grains);
+  io(checkpoint.leaks.warned);
+  transfer_warnings(io, checkpoint.warnings);
   io(checkpoint.wall_seconds);
   io(checkpoint.sphere_steps);
   io(checkpoint.schedule.steps);

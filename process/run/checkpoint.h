@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <optional>
 
+#include "engine/limits/validity_monitor.h"
 #include "engine/simulation/snapshot.h"
 #include "process/results/fill_result.h"
 #include "process/run/free_tools.h"
+#include "process/run/leak_watch.h"
 #include "process/run/probes.h"
 #include "process/run/schedule.h"
 #include "process/run/snapshots.h"
@@ -26,7 +28,8 @@ struct Checkpoint {
   std::vector<SnapshotState> snapshots;
   /// Grains of each type out of the computation: spilled or discharged, and wedged between tools.
   std::vector<std::uint64_t> grains_removed, grains_sheared;
-  std::uint64_t grains_leaked = 0;         ///< of those that left, beneath the cavity
+  LeakState leaks;                         ///< of grains that left beneath the cavity
+  engine::ValidityWarnings warnings;       ///< of the method's limits, so far
   double wall_seconds = 0;                 ///< s of computing so far, over all sittings
   std::uint64_t sphere_steps = 0;          ///< spheres times steps so far
   std::vector<results::Instant> instants;  ///< kept so far; tools' poses in the laboratory frame

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "engine/limits/pinched_grains.h"
+#include "engine/observe/powder_figures.h"
 #include "process/input/units.h"
 #include "process/powder/material.h"
 #include "process/powder/mixed_powder.h"
@@ -86,16 +87,19 @@ void FillRun::run() {
     free_tools_.before_step(*simulation_);
     make_step();
     free_tools_.after_step(*simulation_);
-    sphere_steps_ += simulation_->grains().size() * simulation_->types().spheres();
+    sphere_steps_ += engine::sphere_count(*simulation_);
     schedule_.observe(*simulation_);
     probes_.observe(*simulation_);
     if (simulation_->steps() % kForcedToolInterval == 0) forced_tools.check(*simulation_);
     do_periodic_tasks();
   }
   sync_contacts();
-  monitor_.check(*simulation_);
-  // The run may go on from here, where an unbroken one would not yet look.
+  // The run may go on from here, where an unbroken one would not yet look: what the checks find is not in the
+  // checkpoint.
+  engine::ValidityMonitor at_end = monitor_;
+  at_end.check(*simulation_);
   if (!schedule_.finished()) write_checkpoint();
+  monitor_ = std::move(at_end);
   check_for_lost_grains();
   // Kept until the results stand: measuring and drawing can then be tried again without simulating.
   if (schedule_.finished()) write_checkpoint();

@@ -64,7 +64,8 @@ void FillRun::resume_from(const Checkpoint& checkpoint) {
   simulation_->restore(checkpoint.simulation);
   removed_ = GrainTally(checkpoint.grains_removed);
   sheared_ = GrainTally(checkpoint.grains_sheared);
-  leak_watch_.restore(checkpoint.grains_leaked);
+  leak_watch_.restore(checkpoint.leaks);
+  monitor_.restore(checkpoint.warnings);
   earlier_wall_seconds_ = checkpoint.wall_seconds;
   sphere_steps_ = checkpoint.sphere_steps;
   instants_ = checkpoint.instants;
@@ -81,7 +82,8 @@ Checkpoint FillRun::checkpoint() const {
   checkpoint.snapshots = snapshots_.state();
   checkpoint.grains_removed = removed_.by_kind();
   checkpoint.grains_sheared = sheared_.by_kind();
-  checkpoint.grains_leaked = leak_watch_.grains();
+  checkpoint.leaks = leak_watch_.state();
+  checkpoint.warnings = monitor_.state();
   checkpoint.wall_seconds = wall_seconds();
   checkpoint.sphere_steps = sphere_steps_;
   checkpoint.instants = instants_;

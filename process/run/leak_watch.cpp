@@ -29,24 +29,24 @@ LeakWatch::LeakWatch(const Tooling& tooling, double grain_diameter)
     : tooling_(tooling), below_(below_cavities(tooling, grain_diameter)) {}
 
 void LeakWatch::count_removed(const Eigen::Vector3d& place) {
-  if (below_.contains(place)) ++grains_;
+  if (below_.contains(place)) ++state_.grains;
 }
 
 std::optional<std::string> LeakWatch::warning(std::uint64_t poured) const {
-  if (static_cast<double>(grains_) <= kStrays * static_cast<double>(poured)) return std::nullopt;
+  if (static_cast<double>(state_.grains) <= kStrays * static_cast<double>(poured)) return std::nullopt;
   char text[240];
   std::snprintf(text, sizeof text,
                 "%.0f of %.0f grains leaked out below the cavity: unless this is intended, the moving tools "
                 "leave an opening there (for example a punch too short for its travel)",
-                copies(tooling_) * static_cast<double>(grains_),
+                copies(tooling_) * static_cast<double>(state_.grains),
                 copies(tooling_) * static_cast<double>(poured));
   return text;
 }
 
 std::optional<std::string> LeakWatch::first_warning(std::uint64_t poured) {
-  if (warned_) return std::nullopt;
+  if (state_.warned) return std::nullopt;
   auto warning = this->warning(poured);
-  warned_ = warning.has_value();
+  state_.warned = warning.has_value();
   return warning;
 }
 

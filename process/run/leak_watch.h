@@ -10,6 +10,12 @@
 
 namespace diefill::process {
 
+/// All that a restart needs of a watch.
+struct LeakState {
+  std::uint64_t grains = 0;  ///< that left beneath the cavities
+  bool warned = false;       ///< by LeakWatch::first_warning()
+};
+
 /// Counts grains that left the computation below the cavities, however they were closed in the end.
 class LeakWatch {
  public:
@@ -19,8 +25,9 @@ class LeakWatch {
   /// Counts a grain that was removed at `place` (m, frame of the die); one beside the cavities was
   /// spilled.
   void count_removed(const Eigen::Vector3d& place);
-  std::uint64_t grains() const { return grains_; }
-  void restore(std::uint64_t grains) { grains_ = grains; }
+  std::uint64_t grains() const { return state_.grains; }
+  const LeakState& state() const { return state_; }
+  void restore(const LeakState& state) { state_ = state; }
 
   /// The message about `poured` grains in all; nothing for a few stray ones.
   std::optional<std::string> warning(std::uint64_t poured) const;
@@ -30,8 +37,7 @@ class LeakWatch {
  private:
   const Tooling& tooling_;
   geometry::Box below_;  ///< m, frame of the die; empty without a cavity
-  std::uint64_t grains_ = 0;
-  bool warned_ = false;
+  LeakState state_;
 };
 
 }  // namespace diefill::process

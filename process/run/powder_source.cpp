@@ -6,6 +6,7 @@
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
 #include "process/powder/random.h"
+#include "process/tooling/half_model.h"
 
 namespace diefill::process {
 
@@ -41,6 +42,26 @@ Eigen::Vector3d to_nearest_image(Eigen::Vector3d way, const NumericsSpec& numeri
   return way;
 }
 
+/// m, anywhere in the box.
+Eigen::Vector3d random_place(const geometry::Box& box, Random& random) {
+  const Eigen::Vector3d half = 0.5 * box.size(), middle = box.lower + half;
+  const Eigen::Vector3d offset(random.symmetric(), random.symmetric(), random.symmetric());
+  return middle + offset.cwiseProduct(half);
+}
+
+/// Places (m) and bounding radii (m) of the grains whose nearest image is closer to `middle` (m) than `reach`
+/// (m).
+std::vector<std::pair<Eigen::Vector3d, double>> grains_near(const engine::Simulation& simulation,
+                                                            const NumericsSpec& numerics,
+                                                            const Eigen::Vector3d& middle, double reach) {
+  std::vector<std::pair<Eigen::Vector3d, double>> near;
+  const engine::Grains& grains = simulation.grains();
+  for (std::size_t k = 0; k < grains.size(); ++k)
+    if (to_nearest_image(grains.position[k] - middle, numerics).norm() < reach)
+      near.emplace_back(grains.position[k], simulation.shape_of(k).bounding_radius());
+  return near;
+}
+
 }  // namespace
 
 PowderSource::PowderSource(const Scene& scene, const Tooling& tooling) : scene_(scene), tooling_(tooling) {
@@ -73,10 +94,10 @@ std::size_t PowderSource::owed(const PowderInflow& inflow, const StepState& stat
                                const engine::Simulation& simulation) const {
   const PowderSpec& powder =
       inflow.powder.empty() ? scene_.powder : powder_of(scene_, *powder_named(scene_, inflow.powder));
-  const engine::GrainShape shape = mean_grain(powder, scene_.coarse_graining);
-  const double mass = mean_grain_mass(scene_, inflow, simulation);
-  const double room = (inflow.upper - inflow.lower).cwiseMax(2 * shape.bounding_radius()).prod();
-  double wanted = room / std::pow(2 * shape.bounding_radius(), 3);
+  const double radius = mean_grain(powder, scene_.coarse_graining).bounding_radius();
+  const double mass = copies(tooling_) * mean_grain_mass(scene_, inflow, simulation);
+  const double room = start_box(tooling_, inflow, radius).size().cwiseMax(2 * radius).prod();
+  double wanted = room / std::pow(2 * radius, 3);
   const auto come = static_cast<double>(state.grains_fed);
   if (inflow.rate)
     wanted = std::min(wanted, *inflow.rate * (simulation.time() - state.started) / mass - come);
@@ -90,23 +111,18 @@ std::vector<engine::NewGrain> PowderSource::placed(const PowderInflow& inflow, s
   const double apart = 2 * simulation.types().largest_grain();
   const engine::BodyMotion* body =
       inflow.with.empty() ? nullptr : &simulation.body_motion(tooling_.index_of(inflow.with));
-  const Eigen::Vector3d half = 0.5 * (inflow.upper - inflow.lower), own = inflow.lower + half;
-  const Eigen::Vector3d middle = body != nullptr ? body->point(own) : own;
-  std::vector<std::pair<Eigen::Vector3d, double>> near;  // places and radii
-  const engine::Grains& there = simulation.grains();
-  for (std::size_t k = 0; k < there.size(); ++k)
-    if ((there.position[k] - middle).norm() < half.norm() + apart)
-      near.emplace_back(there.position[k], simulation.shape_of(k).bounding_radius());
+  const Eigen::Vector3d half = 0.5 * (inflow.upper - inflow.lower), centre = inflow.lower + half;
+  const Eigen::Vector3d middle = body != nullptr ? body->point(centre) : centre;
+  auto near = grains_near(simulation, scene_.numerics, middle, half.norm() + apart);
   const auto shares = number_shares(scene_, inflow);
   Random random(seed);
   std::vector<engine::NewGrain> grains;
   const std::size_t tries = 10 * wanted + 20;
   for (std::size_t n = 0; n < tries && grains.size() < wanted; ++n) {
-    const Eigen::Vector3d offset(random.symmetric(), random.symmetric(), random.symmetric());
-    const Eigen::Vector3d in_body = own + offset.cwiseProduct(half);
-    const Eigen::Vector3d place = body != nullptr ? body->point(in_body) : in_body;
     const engine::TypeNumber kind = type_of(shares, come + grains.size());
     const double radius = simulation.types().shape(kind).bounding_radius();
+    const Eigen::Vector3d in_body = random_place(start_box(tooling_, inflow, radius), random);
+    const Eigen::Vector3d place = body != nullptr ? body->point(in_body) : in_body;
     const auto touches = [&](const std::pair<Eigen::Vector3d, double>& other) {
       const Eigen::Vector3d way = to_nearest_image(other.first - place, scene_.numerics);
       return way.norm() < radius + other.second;

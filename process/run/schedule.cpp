@@ -1,6 +1,7 @@
 #include "process/run/schedule.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "process/machine/actions/powder_inflow.h"
 #include "process/machine/free_motion.h"
@@ -97,8 +98,9 @@ bool Schedule::stops(std::size_t k, const engine::Simulation& simulation) {
   const Step& step = *stages_.steps[k];
   StepState& state = state_.steps[k];
   if (const PowderInflow* inflow = step.inflow(); inflow != nullptr && inflow->mass) {
-    const double come = static_cast<double>(state.grains_fed) * mean_grain_mass(scene_, *inflow, simulation);
-    if (come >= *inflow->mass) return true;
+    const double mass_of_one = copies(tooling_) * mean_grain_mass(scene_, *inflow, simulation);
+    // As PowderSource counts them: the product of both may be less than the mass by rounding.
+    if (static_cast<double>(state.grains_fed) >= std::ceil(*inflow->mass / mass_of_one)) return true;
   }
   if (const ForceControl* law = step.control(); law != nullptr && law->done(state.control)) return true;
   if (step.plan.until) return holds(*step.plan.until, state.until, simulation);

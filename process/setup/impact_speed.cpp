@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "process/machine/actions/powder_change.h"
+#include "process/powder/changed_scene.h"
 #include "process/powder/material.h"
 #include "process/setup/pour.h"
 
@@ -35,14 +35,11 @@ double fastest_tool(const Scene& scene, const Tooling& tooling) {
 double expected_impact_speed(const Scene& scene, double fall_height) {
   constexpr double kSlowest = 0.5;  // m/s: grains fall into cavities even where they are hardly poured
   constexpr double kFastest = 8;    // deviations, of two grains of random velocity that meet
-  double gravity = scene.gravity.norm(), random = 0;
-  for (const auto& step : scene.steps) {
-    const PowderChange* change = step->change();
-    if (change == nullptr) continue;
-    gravity = std::max(gravity, change->gravity.value_or(scene.gravity).norm());
-    random = std::max(random, kFastest * change->random_velocity);
-  }
-  const double fall = std::sqrt(2 * gravity * std::max(0.0, fall_height));
+  double random = 0;
+  for (const auto& step : scene.steps)
+    if (const PowderChange* change = step->change())
+      random = std::max(random, kFastest * change->random_velocity);
+  const double fall = std::sqrt(2 * largest_gravity(scene) * std::max(0.0, fall_height));
   return std::max({kSlowest, fall, random});
 }
 

@@ -6,8 +6,10 @@
 
 #include "process/machine/actions/powder_inflow.h"
 #include "process/powder/material.h"
+#include "process/powder/powder_mixture.h"
 #include "process/powder/random.h"
 #include "process/setup/setup_findings.h"
+#include "process/tooling/half_model.h"
 #include "process/tooling/stages.h"
 
 namespace diefill::process {
@@ -25,8 +27,8 @@ double room_at(const Tooling& tooling, const PowderInflow& inflow, const Stages&
   std::vector<ToolPose> poses;
   for (const Tool& tool : tooling.tools) poses.push_back(pose_of(stages, states, tool.spec.name, time));
   const ToolPose carrier = inflow.with.empty() ? ToolPose{} : poses[tooling.index_of(inflow.with)];
-  const Eigen::Vector3d middle = 0.5 * (inflow.lower + inflow.upper),
-                        half = 0.5 * (inflow.upper - inflow.lower);
+  const geometry::Box box = start_box(tooling, inflow, radius);
+  const Eigen::Vector3d middle = 0.5 * (box.lower + box.upper), half = 0.5 * box.size();
   Random random(1);
   int free = 0;
   for (int n = 0; n < tries; ++n) {
@@ -42,12 +44,48 @@ double room_at(const Tooling& tooling, const PowderInflow& inflow, const Stages&
   return static_cast<double>(free) / tries;
 }
 
+/// The largest of such shares while the step is active.
+double largest_room(const Tooling& tooling, const PowderInflow& inflow, const Stages& stages,
+                    const std::vector<StepState>& states, const StepState& state, double radius) {
+  double room = 0;
+  for (int n = 0; n < kTimes; ++n)
+    room = std::max(room, room_at(tooling, inflow, stages, states,
+                                  state.started + (state.ended - state.started) * n / (kTimes - 1), radius));
+  return room > 0 ? room : room_at(tooling, inflow, stages, states, state.started, radius, kAtLast);
+}
+
 std::string box_text(const PowderInflow& inflow) {
   char text[200];
   const Eigen::Vector3d from = 1e3 * inflow.lower, to = 1e3 * inflow.upper;
   std::snprintf(text, sizeof text, "the box from (%.4g, %.4g, %.4g) to (%.4g, %.4g, %.4g) mm", from.x(),
                 from.y(), from.z(), to.x(), to.y(), to.z());
   return text;
+}
+
+/// m, bounding radius of the largest grains that the step lets in.
+double largest_radius(const Scene& scene, const PowderInflow& inflow) {
+  const auto types = particle_types(scene);
+  const auto shares = number_shares(scene, inflow);
+  double largest = 0;
+  for (std::size_t k = 0; k < types.size(); ++k)
+    if (shares[k].number_share > 0) largest = std::max(largest, types[k].shape.bounding_radius());
+  return largest;
+}
+
+/// In a half model every grain must have room between the mirror plane and the border of the box.
+void refuse_narrow_half(const Scene& scene, const Tooling& tooling, const PowderInflow& inflow,
+                        const std::string& step) {
+  if (!tooling.mirror) return;
+  const double radius = largest_radius(scene, inflow), width = inflow.upper[*tooling.mirror];
+  if (width >= radius) return;
+  const char axis = *tooling.mirror == 0 ? 'x' : 'y';
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      " reaches %.4g mm beyond the mirror plane %c = 0, but a grain needs %.4g mm, its radius; widen "
+      "the box along %c or remove economy.mirror",
+      1e3 * width, axis, 1e3 * radius, axis);
+  throw SceneError(step + ": " + box_text(inflow) + text);
 }
 
 /// kg/s for which grains that fall out of the box make room.
@@ -74,16 +112,11 @@ std::vector<SetupFinding> inflow_findings(const Scene& scene, const Tooling& too
     const PowderInflow* inflow = scene.steps[k]->inflow();
     if (inflow == nullptr) continue;
     const StepState& state = states[k + 1];
-    double room = 0;
-    for (int n = 0; n < kTimes; ++n)
-      room = std::max(room, room_at(tooling, *inflow, stages, states,
-                                    state.started + (state.ended - state.started) * n / (kTimes - 1),
-                                    mean_grain(scene).bounding_radius()));
-    if (room == 0)
-      room = room_at(tooling, *inflow, stages, states, state.started, mean_grain(scene).bounding_radius(),
-                     kAtLast);
-    const Eigen::Vector3d middle = 0.5 * (inflow->lower + inflow->upper);
     const std::string step = scene.steps[k]->plan.where;
+    refuse_narrow_half(scene, tooling, *inflow, step);
+    const double room =
+        largest_room(tooling, *inflow, stages, states, state, mean_grain(scene).bounding_radius());
+    const Eigen::Vector3d middle = 0.5 * (inflow->lower + inflow->upper);
     if (room == 0)
       throw SceneError(step + ": " + box_text(*inflow) +
                        " lies inside a tool or leaves no space for a grain between tools, so no powder can "

@@ -24,7 +24,7 @@ std::string place(const Scene& scene) {
   return scene.file.string() + ": ";
 }
 
-/// Grains poured, and those that steps let in.
+/// Grains poured, and those that steps let in; of the half that is computed in a half model.
 double all_grains(const Scene& scene) {
   const Eigen::Vector3d size = scene.pour.upper - scene.pour.lower;
   // A floating-point number: the count may exceed any integer type.
@@ -34,7 +34,7 @@ double all_grains(const Scene& scene) {
                       : static_cast<double>(grains_to_pour(scene));
   for (const auto& step : scene.steps)
     if (const PowderInflow* inflow = step->inflow(); inflow != nullptr && inflow->mass)
-      grains += *inflow->mass / mean_of_inflow(scene, *inflow).mass;
+      grains += *inflow->mass / (scene.economy.mirror ? 2 : 1) / mean_of_inflow(scene, *inflow).mass;
   return grains;
 }
 

@@ -23,7 +23,7 @@ std::vector<SetupFinding> setup_findings(const Scene& scene, const Tooling& tool
 std::vector<SetupFinding> shoe_findings(const Scene& scene, const Tooling& tooling);
 
 /// Steps whose boxes cannot supply their inflow rate. Throws SceneError for a box without room for a grain
-/// while its step is active: the step would never end.
+/// while its step is active: the step would never end. The same for half of the box in a half model.
 std::vector<SetupFinding> inflow_findings(const Scene& scene, const Tooling& tooling);
 
 /// Sections, heaps and zones of [measure] that meet neither tools nor powder.

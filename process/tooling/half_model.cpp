@@ -158,6 +158,15 @@ engine::WallBodySpec mirror_wall(int axis) {
   return wall;
 }
 
+geometry::Box start_box(const Tooling& tooling, const PowderInflow& inflow, double radius) {
+  geometry::Box box{inflow.lower, inflow.upper};
+  if (!tooling.mirror) return box;
+  const int axis = *tooling.mirror;
+  box.lower[axis] = std::max(box.lower[axis], radius);
+  box.upper[axis] = std::max(box.upper[axis], box.lower[axis]);
+  return box;
+}
+
 double copies(const Tooling& tooling) {
   return tooling.mirror ? 2 : 1;
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "engine/simulation/simulation.h"
+#include "process/machine/actions/powder_inflow.h"
 #include "process/results/fill_result.h"
 #include "process/tooling/tooling.h"
 
@@ -19,6 +20,10 @@ void keep_near_half(const Scene& scene, geometry::WallSpheres& spheres);
 
 /// The mirror plane as a wall at which grains meet their images.
 engine::WallBodySpec mirror_wall(int axis);
+
+/// m: where centres of grains of bounding `radius` (m) may start in an inflow's box: those that touch the
+/// mirror plane would overlap with their images. Flat where half of the box is narrower than the radius.
+geometry::Box start_box(const Tooling& tooling, const PowderInflow& inflow, double radius);
 
 /// 2 for a half model, 1 otherwise: the factor of a grain, a mass, an energy.
 double copies(const Tooling& tooling);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "process/machine/actions/powder_inflow.h"
 #include "process/machine/actions/settle.h"
 #include "process/machine/motions/passage.h"
 
@@ -71,11 +72,18 @@ double predicted_start(std::size_t k, const Stages& stages, const std::vector<St
   return last;
 }
 
+/// s that it takes to feed the step's mass at its rate, where it has both.
+std::optional<double> feeding_time(const Step& step) {
+  const PowderInflow* inflow = step.inflow();
+  if (inflow == nullptr || !inflow->mass || !inflow->rate) return std::nullopt;
+  return *inflow->mass / *inflow->rate;
+}
+
 void predict_end(std::size_t k, const Stages& stages, std::vector<StepState>& states, double settling_time) {
   const Step& step = *stages.steps[k];
   StepState& state = states[k];
   const auto duration = step.duration();
-  double stop = state.started + settling_time;
+  double stop = state.started + feeding_time(step).value_or(settling_time);
   if (step.plan.until && step.open_ended()) {
     const auto counts = counts_from(*step.plan.until, stages, states);
     if (!counts) return;

@@ -37,9 +37,9 @@ std::vector<TradeoffValue> values_of(const Tradeoff& tradeoff, std::size_t quant
   return values;
 }
 
-std::uint64_t most_seeds(const Tradeoff& tradeoff) {
+std::uint64_t most_seeds(const std::vector<TradeoffValue>& values) {
   std::uint64_t most = 0;
-  for (const TradeoffPoint& point : tradeoff.points) most = std::max(most, point.seeds);
+  for (const TradeoffValue& value : values) most = std::max(most, value.seeds);
   return most;
 }
 
@@ -51,21 +51,27 @@ void set_references(Tradeoff& tradeoff, const TradeoffPoint& reference) {
   }
 }
 
-void set_floors(Tradeoff& tradeoff) {
+void set_floors(Tradeoff& tradeoff, const TradeoffPoint& reference) {
   tradeoff.floor = kNone;
   for (std::size_t q = 0; q < tradeoff.quantities.size(); ++q) {
     TradeoffQuantity& quantity = tradeoff.quantities[q];
-    const PooledScatter pooled = pooled_scatter(values_of(tradeoff, q), scale_of(tradeoff, quantity));
+    const auto values = values_of(tradeoff, q);
+    const PooledScatter pooled = pooled_scatter(values, scale_of(tradeoff, quantity));
+    std::optional<std::uint64_t> of_reference;  // none: a target has no scatter
+    if (!quantity.is_target) of_reference = q < reference.values.size() ? reference.values[q].seeds : 0;
     quantity.scatter = pooled.scatter;
-    quantity.floor = error_floor(pooled, most_seeds(tradeoff), quantity.is_target);
+    quantity.floor = error_floor(pooled, most_seeds(values), of_reference);
+    for (TradeoffPoint& point : tradeoff.points)
+      if (q < point.values.size())
+        point.values[q].floor = error_floor(pooled, point.values[q].seeds, of_reference);
     if (quantity.decides && std::isfinite(quantity.floor))
       tradeoff.floor = std::isnan(tradeoff.floor) ? quantity.floor : std::max(tradeoff.floor, quantity.floor);
   }
 }
 
-/// Error of a quantity below which a setting is as good as the reference.
-double limit_of(const TradeoffQuantity& quantity, double tolerance) {
-  return std::isfinite(quantity.floor) ? std::max(quantity.floor, tolerance) : tolerance;
+/// Error below which a setting is as good as the reference.
+double limit_of(const TradeoffValue& value, double tolerance) {
+  return std::isfinite(value.floor) ? std::max(value.floor, tolerance) : tolerance;
 }
 
 /// A setting without a value that the reference has cannot be judged: its error is NaN then.
@@ -81,7 +87,7 @@ void set_errors(const Tradeoff& tradeoff, TradeoffPoint& point) {
     value.error = scale > 0 ? std::abs(value.mean - quantity.reference) / scale : kNone;
     if (!quantity.decides || !(scale > 0) || !std::isfinite(quantity.reference)) continue;
     judged = judged && std::isfinite(value.error);
-    if (value.error > limit_of(quantity, tradeoff.tolerance)) point.beyond.push_back(quantity.key);
+    if (value.error > limit_of(value, tradeoff.tolerance)) point.beyond.push_back(quantity.key);
     if (std::isnan(point.error) || value.error > point.error) {
       point.error = value.error;
       point.worst = quantity.key;
@@ -101,10 +107,10 @@ std::string saving(double cost, double reference) {
   return results::formatted(factor < 10 ? "%.1f times cheaper" : "%.0f times cheaper", factor);
 }
 
-/// What a quantity's error is within, as text.
-std::string limit_text(const TradeoffQuantity& quantity, double tolerance) {
-  return quantity.floor > tolerance ? "the " + percent(quantity.floor) + " scatter over seeds"
-                                    : "the tolerance of " + percent(tolerance);
+/// What a setting's error is within, as text.
+std::string limit_text(const TradeoffValue& value, double tolerance) {
+  return value.floor > tolerance ? "the " + percent(value.floor) + " scatter over seeds"
+                                 : "the tolerance of " + percent(tolerance);
 }
 
 std::string advice_for(const Tradeoff& tradeoff, const TradeoffPoint& chosen,
@@ -114,8 +120,10 @@ std::string advice_for(const Tradeoff& tradeoff, const TradeoffPoint& chosen,
            "\": no cheaper setting stays within tolerance and scatter for every quantity.";
   std::string words = "Take \"" + chosen.name + "\": " + saving(chosen.core_seconds, reference.core_seconds) +
                       " than \"" + reference.name + "\", error " + percent(chosen.error);
-  if (const TradeoffQuantity* worst = quantity_called(tradeoff, chosen.worst))
-    words += " (" + worst->name + "), within " + limit_text(*worst, tradeoff.tolerance);
+  for (std::size_t q = 0; q < chosen.values.size(); ++q)
+    if (tradeoff.quantities[q].key == chosen.worst)
+      words += " (" + tradeoff.quantities[q].name + "), within " +
+               limit_text(chosen.values[q], tradeoff.tolerance);
   return words + '.';
 }
 
@@ -160,7 +168,8 @@ void recommend(Tradeoff& tradeoff, std::size_t reference) {
   }
   TradeoffPoint* chosen = nullptr;
   for (TradeoffPoint& point : tradeoff.points)
-    if (is_acceptable(point) && (chosen == nullptr || point.core_seconds < chosen->core_seconds))
+    if (is_acceptable(point) && has_enough_seeds(tradeoff, point) &&
+        (chosen == nullptr || point.core_seconds < chosen->core_seconds))
       chosen = &point;
   if (chosen == nullptr) {
     tradeoff.advice = "No setting stays within the tolerance and the scatter over seeds.";
@@ -185,17 +194,21 @@ PooledScatter pooled_scatter(const std::vector<TradeoffValue>& values, double sc
   return pooled;
 }
 
-double error_floor(const PooledScatter& pooled, std::uint64_t seeds, bool target) {
-  if (!(pooled.freedom > 0) || !std::isfinite(pooled.scatter) || seeds == 0) return kNone;
-  const double t = results::student_95(pooled.freedom);
-  return t * pooled.scatter * std::sqrt((target ? 1.0 : 2.0) / static_cast<double>(seeds));
+double error_floor(const PooledScatter& pooled, std::uint64_t seeds,
+                   std::optional<std::uint64_t> of_reference) {
+  if (!(pooled.freedom > 0) || !std::isfinite(pooled.scatter) || seeds == 0 || of_reference == 0U)
+    return kNone;
+  double inverse = 1 / static_cast<double>(seeds);
+  if (of_reference) inverse += 1 / static_cast<double>(*of_reference);
+  return results::student_95(pooled.freedom) * pooled.scatter * std::sqrt(inverse);
 }
 
 std::uint64_t seeds_for(const PooledScatter& pooled, std::size_t settings, double wanted, bool target) {
   constexpr std::uint64_t kMax = 1000;
   for (std::uint64_t seeds = 2; seeds <= kMax; ++seeds) {
     const double freedom = static_cast<double>(settings) * static_cast<double>(seeds - 1);
-    if (error_floor({pooled.scatter, freedom}, seeds, target) <= wanted) return seeds;
+    const auto of_reference = target ? std::nullopt : std::optional(seeds);
+    if (error_floor({pooled.scatter, freedom}, seeds, of_reference) <= wanted) return seeds;
   }
   return 0;
 }
@@ -229,6 +242,13 @@ bool is_acceptable(const TradeoffPoint& point) {
   return point.reason.empty() && std::isfinite(point.error) && point.beyond.empty();
 }
 
+bool has_enough_seeds(const Tradeoff& tradeoff, const TradeoffPoint& point) {
+  if (point.reference) return true;
+  for (std::size_t q = 0; q < point.values.size(); ++q)
+    if (tradeoff.quantities[q].decides && point.values[q].floor > widest_floor(tradeoff)) return false;
+  return true;
+}
+
 bool distinguishes_settings(const Tradeoff& tradeoff) {
   const double widest = widest_floor(tradeoff);
   return std::none_of(tradeoff.quantities.begin(), tradeoff.quantities.end(),
@@ -244,7 +264,7 @@ void evaluate(Tradeoff& tradeoff, std::size_t reference) {
   }
   tradeoff.points[reference].reference = true;
   set_references(tradeoff, tradeoff.points[reference]);
-  set_floors(tradeoff);
+  set_floors(tradeoff, tradeoff.points[reference]);
   std::vector<double> cost, error;
   for (TradeoffPoint& point : tradeoff.points) {
     set_errors(tradeoff, point);

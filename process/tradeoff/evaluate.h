@@ -2,6 +2,8 @@
 // setting.
 #pragma once
 
+#include <optional>
+
 #include "process/results/studies/tradeoff.h"
 
 namespace diefill::process {
@@ -14,10 +16,12 @@ struct PooledScatter {
 };
 PooledScatter pooled_scatter(const std::vector<results::TradeoffValue>& values, double scale);
 
-/// Error that two settings of `seeds` runs each show by chance alone, in one case of twenty at most:
-/// Student's t_{0.975} at the pooled freedom times the scatter times sqrt(2 / seeds); against a target sqrt(1
-/// / seeds). NaN where the scatter is not known.
-double error_floor(const PooledScatter& pooled, std::uint64_t seeds, bool target);
+/// Error that a setting of `seeds` runs shows by chance alone against a reference of `of_reference` runs, in
+/// one case of twenty at most: Student's t_{0.975} at the pooled freedom times the scatter times
+/// sqrt(1 / seeds + 1 / of_reference); the latter is 0 for a target, which has no runs (nothing). NaN where
+/// the scatter is not known, or one of the two has no runs.
+double error_floor(const PooledScatter& pooled, std::uint64_t seeds,
+                   std::optional<std::uint64_t> of_reference);
 
 /// Widest floor, a fraction, within which a setting is still recommended where the tolerance is smaller: what
 /// scatters more cannot distinguish settings.
@@ -40,12 +44,17 @@ std::size_t reference_setting(const std::vector<results::TradeoffPoint>& points,
 /// Fills in everything that follows from the values: references (those of point `reference` unless targets),
 /// scatter and floors, errors, what is beyond its limit, Pareto front, and the recommendation: the cheapest
 /// setting that is acceptable. A setting with a failed run is neither on the front nor recommended. Where
-/// seeds scatter too much (distinguishes_settings()) nothing is, and the advice says how many seeds would do.
+/// seeds scatter too much (distinguishes_settings()) nothing is, and the advice says how many seeds would do;
+/// nor is a setting with too few seeds of its own (has_enough_seeds()).
 void evaluate(results::Tradeoff& tradeoff, std::size_t reference);
 
 /// Whether none of the setting's runs failed, its error is known, and every quantity that decides is within
 /// the larger of its own floor and the tolerance. Asks for an evaluated setting.
 bool is_acceptable(const results::TradeoffPoint& point);
+
+/// Whether the setting is the reference, or none of its quantities that decide has a floor of its own above
+/// both kWidestFloor and the tolerance. Asks for an evaluated setting.
+bool has_enough_seeds(const results::Tradeoff& tradeoff, const results::TradeoffPoint& point);
 
 /// Whether no quantity that decides has a floor above both kWidestFloor and the tolerance. Asks for an
 /// evaluated tradeoff.

@@ -128,14 +128,40 @@ void add_heaps(std::vector<MeasuredQuantity>& all, const Scene& scene) {
   }
 }
 
-void add_zones(std::vector<MeasuredQuantity>& all, const Scene& scene) {
-  for (const Zone& zone : zones_in(scene.text))
-    for (const std::string& key :
-         {zone_mass_figure(zone.name), zone_share_figure(zone.name), zone_solid_fraction_figure(zone.name)}) {
-      const results::Figure& figure = figure_called(key);
-      all.push_back({{.key = key, .name = results::label_of(figure, zone.name), .unit = figure.shown.unit},
-                     [key](const results::FillResult& result) { return value_of(result, key); }});
+/// m, length of a zone along a periodic axis, of which a slice of `period` is simulated. A box or a cylinder
+/// may hold a part of the slice alone, whose mass does not grow with it.
+double length_in_slice(const Zone& zone, Eigen::Index axis, double period) {
+  double lower = std::max(zone.lower[axis], -0.5 * period), upper = std::min(zone.upper[axis], 0.5 * period);
+  if (axis < 2) {
+    lower = std::max(lower, zone.axis[axis] - zone.outer_radius);
+    upper = std::min(upper, zone.axis[axis] + zone.outer_radius);
+  }
+  return upper - lower;
+}
+
+/// What the mass of a zone is divided by, mm or mm^2; NaN for one beside the slice.
+double divisor_of(const Zone& zone, const Scene& scene) {
+  double divisor = 1;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    if (const auto period = scene.numerics.period[static_cast<std::size_t>(axis)]) {
+      const double length = length_in_slice(zone, axis, *period);
+      divisor *= length > 0 ? 1e3 * length : kNone;
     }
+  return divisor;
+}
+
+void add_zones(std::vector<MeasuredQuantity>& all, const Scene& scene) {
+  const auto add = [&](const Zone& zone, const std::string& key, const std::string& unit, double divisor) {
+    all.push_back(
+        {{.key = key, .name = results::label_of(figure_called(key), zone.name), .unit = unit},
+         [key, divisor](const results::FillResult& result) { return value_of(result, key) / divisor; }});
+  };
+  const Slice slice = slice_of(scene);
+  for (const Zone& zone : zones_in(scene.text)) {
+    add(zone, zone_mass_figure(zone.name), slice.unit, divisor_of(zone, scene));
+    for (const std::string& key : {zone_share_figure(zone.name), zone_solid_fraction_figure(zone.name)})
+      add(zone, key, figure_called(key).shown.unit, 1);
+  }
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ struct MeasuredQuantity {
 };
 
 /// All that the scene can have. Masses of periodic scenes are per length of the slice (per area, where it is
-/// periodic along x and y). To judge by one more figure, its line in quantities.cpp.
+/// periodic along x and y), those of zones per length of the zone within it. To judge by one more figure, its
+/// line in quantities.cpp.
 std::vector<MeasuredQuantity> measured_quantities(const Scene& scene);
 
 /// Key of the correlation of the density map with that of the reference setting; not in measured_quantities,

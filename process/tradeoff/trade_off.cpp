@@ -110,7 +110,8 @@ std::optional<TriedSetting> combination(const Scene& scene, results::Tradeoff tr
     std::string value;
     for (std::size_t k = 0; k < row.points.size(); ++k) {
       const auto& point = tradeoff.points[row.points[k]];
-      if (row.points[k] == 0 || !is_acceptable(point) || !(point.core_seconds < cheapest)) continue;
+      if (row.points[k] == 0 || !is_acceptable(point) || !has_enough_seeds(tradeoff, point)) continue;
+      if (!(point.core_seconds < cheapest)) continue;
       cheapest = point.core_seconds;
       value = row.values[k];
     }
@@ -185,6 +186,21 @@ TradeoffPlan plan_tradeoff(const Scene& scene, const std::vector<KnobValues>& kn
   return plan;
 }
 
+std::vector<std::string> remarks_on_targets(const results::Tradeoff& tradeoff,
+                                            const std::map<std::string, double>& targets) {
+  std::vector<std::string> remarks;
+  for (std::size_t q = 0; q < tradeoff.quantities.size(); ++q) {
+    const std::string& key = tradeoff.quantities[q].key;
+    const auto has_value = [q](const results::TradeoffPoint& point) {
+      return q < point.values.size() && std::isfinite(point.values[q].mean);
+    };
+    if (targets.contains(key) && std::none_of(tradeoff.points.begin(), tradeoff.points.end(), has_value))
+      remarks.push_back("--target " + key +
+                        ": no run has a value of this quantity, so the target does not count");
+  }
+  return remarks;
+}
+
 results::Tradeoff trade_off(const Scene& scene, TradeoffPlan plan, const TradeoffOptions& options) {
   auto& settings = plan.settings;
   run_settings(scene.title, settings, options);
@@ -199,6 +215,8 @@ results::Tradeoff trade_off(const Scene& scene, TradeoffPlan plan, const Tradeof
   add_map_correlation(tradeoff, options.directory, settings, options.seeds, reference);
   judge(tradeoff, reference, options);
   add_remarks(tradeoff, options);
+  for (auto& remark : remarks_on_targets(tradeoff, options.targets))
+    tradeoff.remarks.push_back(std::move(remark));
   return tradeoff;
 }
 

@@ -35,6 +35,10 @@ struct TradeoffPlan {
 TradeoffPlan plan_tradeoff(const Scene& scene, const std::vector<KnobValues>& knobs,
                            const TradeoffOptions& options);
 
+/// A line for each of the `targets` whose quantity has no value in any setting, so that it does not count.
+std::vector<std::string> remarks_on_targets(const results::Tradeoff& tradeoff,
+                                            const std::map<std::string, double>& targets);
+
 /// Runs the plan, and then all worthwhile knobs turned together. Throws Interrupted when asked to stop,
 /// results::ResultError and std::runtime_error as run_jobs does.
 results::Tradeoff trade_off(const Scene& scene, TradeoffPlan plan, const TradeoffOptions& options);

@@ -146,8 +146,8 @@ Section screening_section(const results::Calibration& calibration) {
       std::to_string(screening.runs) + " runs, " +
       (screening.resolution == 0 ? "a full factorial"
                                  : "resolution " + std::to_string(screening.resolution)) +
-      ". An effect is the mean at the high level less the mean at the low level; standard errors come from " +
-      screening.error_source + '.';
+      ". An effect is the mean at the high level less the mean at the low level" +
+      (screening.quantities.empty() ? "" : "; standard errors come from " + screening.error_source) + '.';
   section.blocks.emplace_back(Paragraph{words, false});
   add_remarks(section, calibration);
   Listing letters;

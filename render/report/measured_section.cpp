@@ -33,6 +33,14 @@ std::string words_of(const MeasuredComparison& comparison) {
          in_digits(all.rms, 2) + unit + ", correlation " + in_digits(all.correlation, 2);
 }
 
+/// Of places without a simulated value, a sentence; empty where there are none.
+std::string places_left_out(const MeasuredComparison& comparison) {
+  const std::size_t outside = comparison.measured.size() - comparison.zones.front().points;
+  if (outside == 0) return {};
+  return std::to_string(outside) + " of " + std::to_string(comparison.measured.size()) +
+         " measured places have no simulated value and do not count.";
+}
+
 Chart chart_over_first(const MeasuredComparison& comparison) {
   Chart chart;
   chart.subtitle = words_of(comparison);
@@ -156,13 +164,9 @@ std::vector<MeasuredPicture> measured_pictures(const MeasuredComparison& compari
 Section measured_section(const std::vector<MeasuredComparison>& comparisons, int level) {
   Section section{"Against measured data", level, {}};
   for (const MeasuredComparison& comparison : comparisons) {
-    const std::size_t outside = comparison.measured.size() - comparison.zones.front().points;
     section.blocks.emplace_back(Paragraph{comparison.name + ", " + words_of(comparison) + '.'});
-    if (outside > 0)
-      section.blocks.emplace_back(Paragraph{std::to_string(outside) + " of " +
-                                                std::to_string(comparison.measured.size()) +
-                                                " measured places have no simulated value and do not count.",
-                                            true});
+    if (std::string left_out = places_left_out(comparison); !left_out.empty())
+      section.blocks.emplace_back(Paragraph{std::move(left_out), true});
     section.blocks.emplace_back(table_of(comparison));
     Figures figures{{}, true};
     for (auto& picture : measured_pictures(comparison)) figures.figures.push_back(std::move(picture.figure));
@@ -173,6 +177,8 @@ Section measured_section(const std::vector<MeasuredComparison>& comparisons, int
 
 std::string measured_text(const MeasuredComparison& comparison) {
   std::string text = comparison.name + ", " + words_of(comparison) + '\n';
+  if (const std::string left_out = places_left_out(comparison); !left_out.empty())
+    text += "  " + left_out + '\n';
   for (const auto& zone : comparison.zones) {
     char line[240];
     std::snprintf(line, sizeof line,

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "process/results/formatted.h"
 #include "render/style/colour_map.h"
 #include "render/style/text.h"
 
@@ -80,8 +81,8 @@ ColourBar make_colour_bar(const QString& label, std::span<const double> values, 
   if (std::isnan(wanted.lower)) bar.range.lower = automatic.lower;
   if (std::isnan(wanted.upper)) bar.range.upper = automatic.upper;
   if (!(bar.range.lower < bar.range.upper) || !std::isfinite(bar.range.length()))
-    throw std::runtime_error("colour range: the lower limit " + std::to_string(bar.range.lower) +
-                             " must be below the upper limit " + std::to_string(bar.range.upper));
+    throw std::runtime_error(results::formatted("colour range: the lower limit %g", bar.range.lower) +
+                             results::formatted(" must be below the upper limit %g", bar.range.upper));
   for (const double value : values) {
     bar.open_below |= value < bar.range.lower;
     bar.open_above |= value > bar.range.upper;

@@ -86,6 +86,39 @@ TEST(Calibrate, FindsAPlantedFrictionAndWritesAPowderThatScenesUse) {
   EXPECT_NE(warnings.find("reduced modulus 4 MPa instead of 3 MPa"), std::string::npos) << warnings;
 }
 
+/// A calibration of the small die that is refused before anything runs; `measurement` gives its value.
+Outcome refused_calibration(const SmallDie& die, const std::string& measurement,
+                            const std::vector<std::string>& more) {
+  die.write("calibration.toml",
+            "powder = \"powder.toml\"\n[[parameter]]\nkey = \"powder.friction\"\nfrom = 0.05\nto = 1.2\n"
+            "[[measurement]]\nname = \"filled die\"\nscene = \"scene.toml\"\nfigure = \"filled_mass_kg\"\n" +
+                measurement);
+  die.write("powder.toml",
+            "[powder]\npreset = \"ASC100.29 A2\"\nreduced_modulus = \"3 MPa\"\n"
+            "damping_over_radius = \"3e5 Pa s/m\"\n");
+  std::vector<std::string> words = {"calibrate", (die.folder() / "calibration.toml").string()};
+  words.insert(words.end(), more.begin(), more.end());
+  return run_program(words);
+}
+
+TEST(Calibrate, ADirectoryWhoseInputsItWouldReplaceIsRefused) {
+  const SmallDie die;
+  std::filesystem::create_directory(die.folder() / "there");
+  const std::string mass = "filled mass [mg], deviation [mg]\n60, 3\n";
+  die.write("there/calibration.csv", mass);
+  const Outcome csv = refused_calibration(die, "file = \"there/calibration.csv\"\n",
+                                          {"--out", (die.folder() / "there").string()});
+  EXPECT_EQ(csv.exit_code, 2);
+  EXPECT_EQ(csv.complaints(), 1U) << csv.err;
+  EXPECT_NE(csv.err.find("whose calibration.csv the command reads and would overwrite"), std::string::npos)
+      << csv.err;
+  EXPECT_EQ(contents(die.folder() / "there/calibration.csv"), mass);
+  const Outcome powder = refused_calibration(die, "value = \"60 mg\"\ndeviation = \"3 mg\"\n",
+                                             {"--export-jobs", die.folder().string()});
+  EXPECT_EQ(powder.exit_code, 2);
+  EXPECT_NE(powder.err.find("whose powder.toml the command reads"), std::string::npos) << powder.err;
+}
+
 TEST(Calibrate, KilledAtRandomMomentsItGoesOnToTheSameResult) {
   const Calibrated calibrated;
   ASSERT_EQ(run_program(calibrated.arguments({"--quiet"}, "whole")).exit_code, 0);
@@ -94,7 +127,11 @@ TEST(Calibrate, KilledAtRandomMomentsItGoesOnToTheSameResult) {
     Program program(calibrated.arguments(more, "killed"));
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
     program.send(milliseconds == 900 ? SIGINT : SIGKILL);
-    program.wait();
+    const Outcome ended = program.wait();
+    if (ended.exit_code == 130) {
+      EXPECT_NE(ended.err.find("run the same command with --resume to continue"), std::string::npos)
+          << ended.err;
+    }
     more = {"--quiet", "--resume"};
   }
   const Outcome last = run_program(calibrated.arguments(more, "killed"));
@@ -110,7 +147,9 @@ TEST(Calibrate, ADirectoryWithRunsIsContinuedOnlyWhenAsked) {
   // The budget ends with the first run; nothing was found.
   const Outcome first = run_program(calibrated.arguments({"--budget", "0.0001"}));
   EXPECT_EQ(first.exit_code, 1) << first.err;
-  EXPECT_NE(first.out.find("the budget is used"), std::string::npos) << first.out;
+  EXPECT_NE(first.out.find("the budget is used\nno powder found: the same command with --resume"),
+            std::string::npos)
+      << first.out;
   EXPECT_FALSE(std::filesystem::exists(calibrated.out() / "powder.toml"));
   const Outcome second = run_program(calibrated.arguments());
   EXPECT_EQ(second.exit_code, 2);
@@ -118,6 +157,15 @@ TEST(Calibrate, ADirectoryWithRunsIsContinuedOnlyWhenAsked) {
   EXPECT_NE(second.err.find("add --resume to continue"), std::string::npos) << second.err;
   const Outcome third = run_program(calibrated.arguments({"--resume", "--budget", "100"}));
   EXPECT_EQ(third.exit_code, 0) << third.err;
+}
+
+TEST(Calibrate, AScreeningWithoutEffectsNamesNoSourceOfErrors) {
+  const Calibrated calibrated;
+  const Outcome outcome = run_program(calibrated.arguments({"--screen", "--budget", "0.0001"}));
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_EQ(outcome.out.find("standard errors from"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("no effects found: the same command with --resume"), std::string::npos)
+      << outcome.out;
 }
 
 TEST(Calibrate, AValueThatNoPowderReachesIsReported) {

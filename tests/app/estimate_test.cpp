@@ -71,7 +71,8 @@ TEST(Estimate, TakesTheSizeOfTheRealParticlesAndALawOfOnesOwn) {
   EXPECT_NEAR(json.at("powder").at("particle_diameter_m").get<double>(), 50e-6, 1e-12);
   EXPECT_NEAR(json.at("powder").at("discharge_law").at("C_F").get<double>(), 0.92, 1e-12);
   expect_refused({"estimate", scene, "--particle-diameter", "50"}, "--particle-diameter: found \"50\"");
-  expect_refused({"estimate", scene, "--particle-diameter", "0 um"}, "allowed: 1 um to 10 mm");
+  expect_refused({"estimate", scene, "--particle-diameter", "0 um"}, "allowed: 1 um to 1 mm");
+  expect_refused({"estimate", scene, "--particle-diameter", "1 cm"}, "the scene's grains");
   expect_refused({"estimate", scene, "--discharge", scene}, "found no JSON");
   expect_refused({"estimate", (die.folder() / "none.toml").string()}, "none.toml");
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.h"
@@ -117,6 +118,22 @@ TEST_F(FitDischarge, RemarksOnAFactorOfBeverloosLawThatOnlyAWrongUnitGives) {
   }
 }
 
+TEST_F(FitDischarge, StatesTheFittedFactorOfTheEffectiveOpening) {
+  // C = 0.58 and k = 2 with d = 1 mm at 1 t/m^3.
+  std::string rates = "rate g/s,diameter mm\n";
+  for (const double width : {5e-3, 8e-3, 11e-3, 15e-3}) {
+    char line[64];
+    std::snprintf(line, sizeof line, "%.8g,%g\n",
+                  1e3 * 0.58 * 1000 * std::sqrt(9.81) * std::pow(width - 2e-3, 2.5), 1e3 * width);
+    rates += line;
+  }
+  const auto file = folder_.write("rates.csv", rates).string();
+  const Outcome outcome = run_program(
+      {"fit-discharge", file, "--density", "1 g/cm^3", "--grain-diameter", "1 mm", "--out", out().string()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("openings count as D - 2 d with d = 1 mm"), std::string::npos) << outcome.out;
+}
+
 TEST_F(FitDischarge, LeavesOutWithUntilWhatCameOnceTheHopperWasEmpty) {
   const auto file = folder_.write("outflow.csv", outflow({0.05, 0.39, 0.92, 1.4}, 0.5)).string();
   const std::vector<std::string> whole = {"fit-discharge", file,        "--density", "2.1 g/cm^3",  "--width",
@@ -144,8 +161,13 @@ TEST_F(FitDischarge, RemarksOnAnOutflowThatNoLongerRises) {
   EXPECT_NE(outcome.out.find("--until"), std::string::npos) << outcome.out;
 }
 
+TEST_F(FitDischarge, SaysWhatToDoOfAnOptionTwiceOrWithoutAValue) {
+  expect_refused(words(masses(), {"--density", "2 g/cm^3"}), "--density: found more than one value");
+  expect_refused(words(masses(), {"--law"}), "--law: found no value; write one behind it");
+}
+
 TEST_F(FitDischarge, RefusesBadInputInOneLineAndWritesNothing) {
-  expect_refused(words("speed m/s,mass g\n0.1,24\n"), "found 1 points");
+  expect_refused(words("speed m/s,mass g\n0.1,24\n"), "found 1 point;");
   expect_refused(words("speed m/s,mass g\n0.1,x\n"), "masses.csv:2:5: column mass: found \"x\"");
   // Masses that grow with the speed: no flow.
   expect_refused(words("speed m/s,mass g\n0.1,1\n0.2,2\n0.3,3\n0.4,4\n0.5,9\n"), "C_F = -");
@@ -159,6 +181,15 @@ TEST_F(FitDischarge, RefusesBadInputInOneLineAndWritesNothing) {
   expect_refused(words(masses(), {"--grain-diameter", "1e9 m"}), "--grain-diameter: found \"1e9 m\"");
   expect_refused(words(masses(), {"--until", "0.3 s"}), "--until: found 0.3 s, but law 5.17 has no times");
   expect_refused(words(masses(), {"--until", "3"}), "--until: found \"3\"");
+}
+
+TEST_F(FitDischarge, KeepsAnEarlierFitAndForeignFiles) {
+  std::filesystem::create_directories(out());
+  std::ofstream(out() / "fit.json") << "mine";
+  ASSERT_EQ(run_program(words(masses())).exit_code, 0);
+  EXPECT_EQ(support::contents(out() / "previous-1/fit.json"), "mine");
+  ASSERT_EQ(run_program(words(masses())).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(out() / "previous-2"));  // the same fit
 }
 
 TEST_F(FitDischarge, OverwritesNoMeasurements) {

@@ -94,6 +94,8 @@ TEST(MeasuredData, AVariantWithoutValuesLeavesTheOthersCompared) {
       EXPECT_EQ(measure.at("variants")[1].at("verdict"), "no value");
     }
   EXPECT_NE(outcome.out.find("\"stays\", seed 1: no value: "), std::string::npos) << outcome.out;
+  // The scene of the runs may be named beside their directory.
+  EXPECT_EQ(run_program({"compare", die.scene().string(), "--collect", die.out().string()}).exit_code, 0);
 
   // Where no variant has a value the data are wrong.
   die.write("ruler.csv", "distance along the shoe's travel [mm], fill level [mm]\n100, 3.2\n200, 3.5\n");

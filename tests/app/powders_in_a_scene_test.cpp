@@ -54,6 +54,7 @@ TEST(SeveralPowders, FillADieMixed) {
   ASSERT_EQ(result.powder.kinds.size(), 2U);
   EXPECT_EQ(result.powder.kinds.spheres, (std::vector<std::uint32_t>{7, 1}));
   EXPECT_EQ(result.powder.sphere_centres().size(), result.powder.sphere_count());
+  EXPECT_EQ(report.at("spheres").get<std::size_t>(), result.powder.sphere_count());
   EXPECT_EQ(result.powder.radii_of_spheres().size(), result.powder.sphere_count());
   const Outcome drawn = run_program(
       {"map", die.out().string(), "--picture", "view", "--out", (die.folder() / "maps").string()});

@@ -1,6 +1,6 @@
-// Chart and table of cost against error, from a formula to fine grains: ninja cost_chart && bin/cost_chart
-// process/estimate/against_runs.csv process/plan/grain_size_errors.csv
-// sample_tools/tradeoff/narrow_ring/tradeoff.csv process/estimate
+// Chart and table of cost against error, from a formula to the finest fill: ninja cost_chart &&
+// bin/cost_chart process/estimate/against_runs.csv process/plan/grain_size_errors.csv
+// process/estimate/ring_sizes.csv process/estimate
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -114,12 +114,16 @@ void add_runs(const std::vector<Row>& rows, std::vector<Way>& ways) {
   for (const auto& [share, way] : by_share) ways.push_back(way);
 }
 
-/// The narrow ring against its own finest setting.
-void add_ring(const std::vector<Row>& rows, std::vector<Way>& ways) {
-  Way ring{"narrow ring, d/b = 0.42", "narrow ring", {}, {}};
-  for (const Row& row : rows)
-    if (row.at("reference") != "1") ring.add(number(row, "core_seconds"), number(row, "filled mass, error"));
-  ways.push_back(ring);
+/// Fills of the narrow ring with coarser grains against the finest one, the last. Returns s of that.
+double add_ring(const std::vector<Row>& rows, std::vector<Way>& ways) {
+  const double finest = number(rows.back(), "filled");
+  for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
+    char title[80];
+    std::snprintf(title, sizeof title, "narrow ring, d/b = %.3g", number(rows[k], "share"));
+    ways.push_back({title, "narrow ring", {}, {}});
+    ways.back().add(number(rows[k], "seconds"), number(rows[k], "filled") / finest - 1);
+  }
+  return number(rows.back(), "seconds");
 }
 
 using diefill::render::Curve;
@@ -149,17 +153,27 @@ Curve quantile_line(const std::vector<Way>& ways, const std::string& name, doubl
   return curve;
 }
 
-/// Single cases, and the median and the 90th percentile of each way.
-diefill::render::Chart chart_of(const std::vector<Way>& ways) {
+/// A line at the cost of the finest fill, s.
+Curve finest_fill(double seconds) {
+  Curve curve;
+  curve.name = "the finest fill: narrow ring, d/b = 0.189";
+  curve.style = CurveStyle::kReference;
+  curve.x = {seconds, seconds};
+  curve.y = {drawn(0), 100};
+  return curve;
+}
+
+/// Single cases, and the median and the 90th percentile of each way; `finest`: s of the finest fill.
+diefill::render::Chart chart_of(const std::vector<Way>& ways, double finest) {
   diefill::render::Chart chart;
   chart.title = "Cost against error of the mass in the cavity";
   chart.subtitle =
       "estimates against runs of the same grains; runs against grains of no size; the ring against its "
       "finest "
-      "setting";
+      "fill";
   chart.note =
-      "Single cases; errors below 0.1 % are drawn there. Estimates: wall time of one thread. The narrow ring "
-      "with grains of 0.47 mm took 4,500 CPU hours in 2009 (1.6e7 s).";
+      "Single cases; errors below 0.1 % are drawn there. Estimates: wall time of one thread. The finest fill "
+      "(grains of 0.47 mm, half of the ring) took 4,500 CPU hours in 2009 (1.6e7 s, whole ring).";
   chart.x.label = "Processor time [s]";
   chart.x.logarithmic = true;
   chart.y.label = "Error [%]";
@@ -174,6 +188,7 @@ diefill::render::Chart chart_of(const std::vector<Way>& ways) {
   }
   chart.curves.push_back(quantile_line(ways, "median error of each method", 0.5));
   chart.curves.push_back(quantile_line(ways, "90th percentile of each method's error", 0.9));
+  chart.curves.push_back(finest_fill(finest));
   return chart;
 }
 
@@ -192,16 +207,17 @@ void write_table(const std::string& file, const std::vector<Way>& ways) {
 
 int main(int count, char** words) {
   if (count != 5) {
-    std::fprintf(stderr, "cost_chart: expected AGAINST_RUNS.csv GRAIN_SIZE_ERRORS.csv TRADEOFF.csv FOLDER\n");
+    std::fprintf(stderr,
+                 "cost_chart: expected AGAINST_RUNS.csv GRAIN_SIZE_ERRORS.csv RING_SIZES.csv FOLDER\n");
     return 2;
   }
   diefill::render::start_offscreen(count, words);
   std::vector<Way> ways;
   add_estimates(rows_of(words[1]), ways);
   add_runs(rows_of(words[2]), ways);
-  add_ring(rows_of(words[3]), ways);
+  const double finest = add_ring(rows_of(words[3]), ways);
   const std::string folder = words[4];
   write_table(folder + "/cost_against_error.csv", ways);
-  diefill::render::draw_chart(folder + "/cost_against_error.png", chart_of(ways));
+  diefill::render::draw_chart(folder + "/cost_against_error.png", chart_of(ways, finest));
   return 0;
 }

@@ -5,13 +5,18 @@
 #include <atomic>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/commands/bench/loop_figures.h"
 #include "app/commands/scene_choice.h"
 #include "app/freed_memory.h"
 #include "process/input/scene_error.h"
+#include "process/results/storage/result_file.h"
+#include "process/run/checkpoint.h"
 #include "process/run/fill_run.h"
+#include "process/scene/identity.h"
 
 namespace diefill::app {
 
@@ -107,6 +112,26 @@ class Checkpoint {
   fs::path path_;
 };
 
+/// Names the run that the user knows, not the copy. Throws process::SceneError where its checkpoint cannot be
+/// used or is of another scene.
+void refuse_other_scene(const TimedScene& wanted, const process::Scene& scene,
+                        const process::Tooling& tooling) {
+  std::vector<std::string> tools;
+  for (const auto& tool : tooling.tools) tools.push_back(tool.file_hash);
+  const std::string found = "bench: --state: found the checkpoint of " + wanted.run.string() + ", ";
+  std::optional<process::Checkpoint> kept;
+  try {
+    kept = process::read_checkpoint(process::checkpoint_file(wanted.run));
+  } catch (const results::ResultError&) {
+    throw process::SceneError(found +
+                              "which is damaged or of another version of the program; stop a run of " +
+                              wanted.scene + " with this one");
+  }
+  if (kept && kept->scene_hash != process::scene_identity(scene.text, scene.file, tools))
+    throw process::SceneError(found + "which is of another scene or other CAD files than " + wanted.scene +
+                              "; give the directory of a stopped run of this scene");
+}
+
 }  // namespace
 
 nlohmann::ordered_json timed(const TimedScene& wanted) {
@@ -114,6 +139,7 @@ nlohmann::ordered_json timed(const TimedScene& wanted) {
   process::Scene scene = chosen_scene(wanted.scene, "", {});
   const auto tooling = prepared_tooling(scene, false);
   scene = process::with_prepared_steps(std::move(scene), tooling);
+  refuse_other_scene(wanted, scene, tooling);
   TimedSteps steps(wanted);
   process::RunOptions options;
   options.directory = checkpoint.directory();

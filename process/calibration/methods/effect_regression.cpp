@@ -1,6 +1,8 @@
 #include "process/calibration/methods/effect_regression.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "process/calibration/methods/screening_effects.h"
@@ -75,8 +77,16 @@ double predicted(const EffectModel& model, const std::vector<double>& setting, b
   return value;
 }
 
+bool have_one_sign(const std::vector<double>& responses) {
+  const auto all = [&](double sign) {
+    return std::all_of(responses.begin(), responses.end(), [&](double value) { return sign * value > 0; });
+  };
+  return all(1) || all(-1);
+}
+
 double prediction_error(const EffectModel& model, const std::vector<std::vector<double>>& settings,
                         const std::vector<double>& responses, bool interactions) {
+  if (!have_one_sign(responses)) return std::numeric_limits<double>::quiet_NaN();
   double sum = 0;
   for (std::size_t run = 0; run < settings.size(); ++run)
     sum +=

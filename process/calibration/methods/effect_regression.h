@@ -44,7 +44,11 @@ EffectModel fit_effects(const FractionalDesign& design, const std::vector<Factor
 /// The quantity at `setting`, factor by factor in its unit, with or without interactions.
 double predicted(const EffectModel& model, const std::vector<double>& setting, bool interactions = true);
 
-/// Mean over runs of |predicted - simulated| / |simulated| in percent (Kottlan 2018, Tables 9, 19 and 20).
+/// Whether all responses are above zero, or all below: fractions of them then mean something.
+bool have_one_sign(const std::vector<double>& responses);
+
+/// Mean over runs of |predicted - simulated| / |simulated| in percent (Kottlan 2018, Tables 9, 19 and 20);
+/// NaN unless have_one_sign().
 double prediction_error(const EffectModel& model, const std::vector<std::vector<double>>& settings,
                         const std::vector<double>& responses, bool interactions = true);
 

@@ -40,6 +40,21 @@ Eigen::MatrixXd correlations(const Eigen::MatrixXd& inputs, const Eigen::VectorX
   return matrix;
 }
 
+/// Rows with equal inputs, place by place.
+std::vector<std::vector<Eigen::Index>> runs_by_place(const Eigen::MatrixXd& inputs) {
+  std::vector<std::vector<Eigen::Index>> places;
+  for (Eigen::Index run = 0; run < inputs.rows(); ++run) {
+    const auto known = std::find_if(places.begin(), places.end(), [&](const auto& runs) {
+      return inputs.row(runs.front()) == inputs.row(run);
+    });
+    if (known == places.end())
+      places.push_back({run});
+    else
+      known->push_back(run);
+  }
+  return places;
+}
+
 /// Limits of the logarithms of lengths and noise.
 struct Limits {
   Eigen::VectorXd lower, upper;
@@ -56,6 +71,12 @@ struct Limits {
 
 }  // namespace
 
+double student_variance(double freedom) {
+  constexpr double kFewest = 3;
+  const double counted = std::max(freedom, kFewest);
+  return counted / (counted - 2);
+}
+
 Emulator::Emulator(Eigen::MatrixXd inputs, Eigen::MatrixXd outputs)
     : inputs_(std::move(inputs)), outputs_(std::move(outputs)) {
   const Eigen::Index runs = inputs_.rows();
@@ -63,8 +84,10 @@ Emulator::Emulator(Eigen::MatrixXd inputs, Eigen::MatrixXd outputs)
     throw std::invalid_argument("an emulator needs three runs or more");
   if (!inputs_.allFinite() || !outputs_.allFinite())
     throw std::invalid_argument("an emulator needs finite values");
-  // A slope for every parameter needs runs to spare.
-  trend_ = trend_at(inputs_, runs >= 2 * (inputs_.cols() + 1) ? inputs_.cols() + 1 : 1);
+  places_ = runs_by_place(inputs_);
+  // A slope for every parameter needs places to spare: repeats say nothing about slopes.
+  const Eigen::Index slopes = inputs_.cols() + 1;
+  trend_ = trend_at(inputs_, static_cast<Eigen::Index>(places_.size()) >= 2 * slopes ? slopes : 1);
   middle_ = outputs_.colwise().mean();
   spread_ =
       (outputs_.rowwise() - middle_.transpose()).colwise().norm() / std::sqrt(static_cast<double>(runs - 1));
@@ -124,26 +147,36 @@ void Emulator::choose_processes() {
     probable_.push_back(process_with(limits.at(sampled.place.row(k).transpose()), true));
 }
 
-/// Dubrule, Mathematical Geology 15 (1983): predictions of each run from the others without refitting.
+/// Dubrule, Mathematical Geology 15 (1983): predictions from the other places without refitting. With the
+/// projected inverse covariance P, leaving the runs B out gives the errors P_BB^-1 (P y)_B of covariance
+/// variance * P_BB^-1.
 void Emulator::check_by_leaving_out() {
   const Process& process = most_probable_;
-  const Eigen::MatrixXd rest =
+  const Eigen::MatrixXd projected =
       process.inverse - process.trend_weight * process.trend_normal * process.trend_weight.transpose();
-  const Eigen::MatrixXd weighted = rest * outputs_;
+  const Eigen::MatrixXd weighted = projected * outputs_;
   double squares = 0, count = 0;
-  for (Eigen::Index k = 0; k < outputs_.rows(); ++k)
+  for (const std::vector<Eigen::Index>& runs : places_) {
+    const Eigen::LDLT<Eigen::MatrixXd> block(projected(runs, runs));
+    const double share = 1 / static_cast<double>(runs.size());
+    const Eigen::VectorXd of_mean =
+        block.solve(Eigen::VectorXd::Constant(static_cast<Eigen::Index>(runs.size()), share));
+    const double variance = share * of_mean.sum();  // of the error of the mean, over that of the quantity
     for (Eigen::Index q = 0; q < outputs_.cols(); ++q) {
-      const double variance = process.variances[q] * rest(k, k);
-      if (!(variance > kConstant)) continue;
-      squares += weighted(k, q) * weighted(k, q) / variance;
+      // What does not vary says nothing, nor does a place without which the trend is not determined.
+      if (!(process.variances[q] / variance > kConstant)) continue;
+      const double error = of_mean.dot(weighted(runs, q));
+      squares += error * error / (process.variances[q] * variance);
       count += 1;
     }
+  }
   left_out_error_ = count > 0 ? std::sqrt(squares / count) : 0;
   const double widened = std::max(1.0, left_out_error_ * left_out_error_);
   const double freedom = static_cast<double>(outputs_.rows() - trend_.cols());
   const Eigen::MatrixXd of_outputs =
       (outputs_ - trend_ * process.coefficients).transpose() * process.weights / freedom;
   covariance_ = widened * (spread_.asDiagonal() * of_outputs * spread_.asDiagonal());
+  scatter_ratio_ = process.noise / widened;
 }
 
 Emulator::Prediction Emulator::at(const Eigen::VectorXd& place) const {
@@ -165,9 +198,8 @@ Emulator::Prediction Emulator::at(const Eigen::VectorXd& place) const {
     variance += factor / count * process.variances;
   }
   variance += (squares - sum.cwiseAbs2()).cwiseMax(0);
-  // The variation itself is known from as many runs only: Student's t is wider than a normal distribution.
-  const double freedom = static_cast<double>(inputs_.rows() - trend_.cols());
-  if (freedom > 2) variance *= freedom / (freedom - 2);
+  // The variation itself is known from as many places only: Student's t is wider than a normal distribution.
+  variance *= student_variance(freedom());
   double factor = 0, vary = 0;
   for (Eigen::Index q = 0; q < quantities; ++q) {
     if (!(most_probable_.variances[q] > kConstant)) continue;

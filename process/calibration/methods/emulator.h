@@ -8,6 +8,10 @@
 
 namespace diefill::process::calibration {
 
+/// Variance of Student's t over that of a normal distribution. Fewer than three degrees of freedom, with
+/// which t has no finite variance, count as three.
+double student_variance(double freedom);
+
 /// One emulator serves all quantities of one measurement, such as the points of a curve. They share the
 /// correlation lengths and the ratio of scatter to variation; their covariance is C times a factor.
 class Emulator {
@@ -28,10 +32,15 @@ class Emulator {
   const Eigen::MatrixXd& covariance() const { return covariance_; }
   /// Standard deviation of one run over seeds, quantity by quantity.
   Eigen::VectorXd scatter() const { return scatter_; }
+  /// Covariance of the quantities of one run over seeds, over covariance().
+  double scatter_ratio() const { return scatter_ratio_; }
+  /// Degrees of freedom of what varies: places, of which repeats are one, less terms of the trend.
+  double freedom() const { return static_cast<double>(places_.size()) - static_cast<double>(trend_.cols()); }
   /// Most probable correlation length along each parameter, in widths of the box.
   const Eigen::VectorXd& lengths() const { return most_probable_.lengths; }
-  /// Errors of predicting each run from all others over their standard deviations, root mean square; about 1
-  /// where the emulator states its uncertainty truly. What exceeds 1 has been added to covariance().
+  /// Errors of predicting the mean of the runs at each place from the runs at all other places, over their
+  /// standard deviations, root mean square; about 1 where the emulator states its uncertainty truly. What
+  /// exceeds 1 has been added to covariance(). 0 where nothing varies.
   double left_out_error() const { return left_out_error_; }
 
  private:
@@ -48,13 +57,14 @@ class Emulator {
   void choose_processes();
   void check_by_leaving_out();
 
-  Eigen::MatrixXd inputs_, outputs_, trend_;  ///< trend: a constant, and a slope along each parameter
-  Eigen::VectorXd middle_, spread_;           ///< outputs are scaled by them
+  std::vector<std::vector<Eigen::Index>> places_;  ///< runs at each place
+  Eigen::MatrixXd inputs_, outputs_, trend_;       ///< trend: a constant, and a slope along each parameter
+  Eigen::VectorXd middle_, spread_;                ///< outputs are scaled by them
   Process most_probable_;
   std::vector<Process> probable_;
   Eigen::MatrixXd covariance_;
   Eigen::VectorXd scatter_;
-  double left_out_error_ = 0;
+  double left_out_error_ = 0, scatter_ratio_ = 0;
 };
 
 }  // namespace diefill::process::calibration

@@ -25,7 +25,7 @@ Likelihood::Likelihood(std::vector<MeasuredData> data) : data_(std::move(data)) 
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (whitened + whitened.transpose()));
     const Eigen::VectorXd& rising = solver.eigenvalues();
     const Eigen::Index kept = (rising.array() > kNoSpread * std::abs(rising[count - 1])).count();
-    turn_.push_back(solver.eigenvectors().rightCols(kept));
+    eigenvectors_.push_back(solver.eigenvectors().rightCols(kept));
     spread_.push_back(Eigen::VectorXd::Zero(kept + 1));
     spread_.back().tail(kept) = rising.tail(kept);
   }
@@ -36,10 +36,11 @@ std::vector<Differences> Likelihood::differences(const Eigen::VectorXd& place) c
   for (std::size_t k = 0; k < data_.size(); ++k) {
     const auto predicted = data_[k].emulator->at(place);
     const Eigen::VectorXd over = (predicted.mean - data_[k].values).cwiseQuotient(data_[k].deviations);
-    Eigen::VectorXd turned(spread_[k].size());
-    turned.tail(turned.size() - 1) = turn_[k].transpose() * over;
-    turned[0] = std::sqrt(std::max(0.0, over.squaredNorm() - turned.tail(turned.size() - 1).squaredNorm()));
-    all.push_back({std::move(turned), predicted.factor, &spread_[k]});
+    Eigen::VectorXd rotated(spread_[k].size());
+    rotated.tail(rotated.size() - 1) = eigenvectors_[k].transpose() * over;
+    rotated[0] =
+        std::sqrt(std::max(0.0, over.squaredNorm() - rotated.tail(rotated.size() - 1).squaredNorm()));
+    all.push_back({std::move(rotated), predicted.factor, &spread_[k]});
   }
   return all;
 }

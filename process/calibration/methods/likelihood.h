@@ -16,11 +16,11 @@ struct MeasuredData {
   std::shared_ptr<const Emulator> emulator;
 };
 
-/// Differences of one measurement, turned so that they are independent of each other: each has variance
+/// Differences of one measurement, rotated so that they are independent of each other: each has variance
 /// 1 + factor * spread. An emulator of some runs varies in as many directions at most: all others, of which a
 /// map has thousands, are one entry with the root of their sum of squares and no spread.
 struct Differences {
-  Eigen::VectorXd value;  ///< simulated less measured over the measured deviation, turned
+  Eigen::VectorXd value;  ///< simulated less measured over the measured deviation, rotated
   double factor = 0;      ///< of the emulator at this place
   const Eigen::VectorXd* spread = nullptr;
 };
@@ -48,7 +48,7 @@ class Likelihood {
  private:
   std::vector<MeasuredData> data_;
   /// Of the emulator's covariance over the deviations: eigenvectors with an eigenvalue, and these after a 0.
-  std::vector<Eigen::MatrixXd> turn_;
+  std::vector<Eigen::MatrixXd> eigenvectors_;
   std::vector<Eigen::VectorXd> spread_;
 };
 

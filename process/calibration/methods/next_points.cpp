@@ -107,13 +107,13 @@ double expected_improvement(const Likelihood& likelihood, const Eigen::VectorXd&
 }
 
 double misfit_scatter(const Likelihood& likelihood, const Eigen::VectorXd& place) {
+  const auto parts = likelihood.differences(place);
   double variance = 0;
-  for (const MeasuredData& measured : likelihood.measurements()) {
-    const Eigen::VectorXd over = (measured.emulator->at(place).mean - measured.values)
-                                     .cwiseQuotient(measured.deviations),
-                          spread = measured.emulator->scatter().cwiseQuotient(measured.deviations);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const double ratio = likelihood.measurements()[k].emulator->scatter_ratio();
+    const Eigen::ArrayXd of_run = ratio * parts[k].spread->array();
     // Of (x + s e)^2 with e standard normal: 4 x^2 s^2 + 2 s^4.
-    variance += (4 * over.array().square() * spread.array().square() + 2 * spread.array().pow(4)).sum();
+    variance += (4 * parts[k].value.array().square() * of_run + 2 * of_run.square()).sum();
   }
   return std::sqrt(variance);
 }

@@ -14,7 +14,8 @@ namespace diefill::process::calibration {
 /// below `best` (Jones, Schonlau and Welch 1998, by draws, since a sum of squares is not normal).
 double expected_improvement(const Likelihood& likelihood, const Eigen::VectorXd& place, double best);
 
-/// Standard deviation of the misfit at a place over seeds, were the runs there repeated.
+/// Standard deviation of the misfit at a place over seeds, were the runs there repeated. The quantities of a
+/// measurement scatter together as the emulator's covariance says: those of one run are not independent.
 double misfit_scatter(const Likelihood& likelihood, const Eigen::VectorXd& place);
 
 /// Mean over the region of the emulators' variance over the measurements': how much of the uncertainty comes

@@ -1,5 +1,6 @@
 #include "process/calibration/methods/screening_effects.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -33,6 +34,14 @@ void error_from_repeats(ScreeningEffects& screening, const std::vector<std::vect
   screening.margin = results::student_95(freedom) * screening.error;
 }
 
+/// Contrasts that rounding alone makes of zero ones.
+double round_off(const std::vector<double>& means) {
+  constexpr double kRoundOff = 1e-12;
+  double largest = 0;
+  for (const double mean : means) largest = std::max(largest, std::abs(mean));
+  return kRoundOff * largest;
+}
+
 void error_after_lenth(ScreeningEffects& screening, const FractionalDesign& design,
                        const std::vector<double>& means) {
   constexpr std::size_t kMin = 7;
@@ -41,12 +50,17 @@ void error_after_lenth(ScreeningEffects& screening, const FractionalDesign& desi
     sizes.push_back(std::abs(contrast(design, means, column)));
   screening.error = screening.margin = kNone;
   if (sizes.size() < kMin) return;
-  const double first = 1.5 * results::median(sizes);
+  const double median = results::median(sizes);
+  if (median <= round_off(means)) {
+    screening.source = ErrorSource::zeros;
+    return;
+  }
+  const double first = 1.5 * median;
   std::vector<double> small;
   for (const double size : sizes)
     if (size < 2.5 * first) small.push_back(size);
   screening.source = ErrorSource::lenth;
-  screening.error = small.empty() ? 0 : 1.5 * results::median(small);
+  screening.error = 1.5 * results::median(small);
   screening.margin = results::student_95(static_cast<double>(sizes.size()) / 3) * screening.error;
 }
 

@@ -19,7 +19,8 @@ struct Effect {
 enum class ErrorSource {
   repeats,  ///< runs of the same settings, pooled over all settings
   lenth,    ///< the smaller effects themselves, most of which are taken for scatter (Lenth 1989)
-  none      ///< too few runs for either
+  zeros,    ///< nowhere: more than half of the effects are 0, so that they tell no scatter
+  none      ///< nowhere: too few runs
 };
 
 struct ScreeningEffects {
@@ -32,8 +33,8 @@ struct ScreeningEffects {
 
 /// `responses`: run by run in the design's order, each with one value or more (repeats with other seeds).
 /// Effects without repeats have Lenth's pseudo standard error (R. V. Lenth, Technometrics 31, 1989) from the
-/// contrasts of all columns, with a third as many degrees of freedom; at least seven contrasts are needed.
-/// Throws std::invalid_argument where a run is missing or without a value.
+/// contrasts of all columns, with a third as many degrees of freedom; at least seven contrasts are needed,
+/// half of them or more not 0. Throws std::invalid_argument where a run is missing or without a value.
 ScreeningEffects screening_effects(const FractionalDesign& design,
                                    const std::vector<std::vector<double>>& responses);
 

@@ -222,13 +222,13 @@ class WallPass final : public ContactPass {
     batch_.velocity.set(lane, velocity - engine::plain(pose.velocity_at(contact)));
     batch_.spin_sum.set(lane, spin);
     batch_.relative_spin.set(lane, spin - engine::plain(pose.angular_velocity));
-    if (grains.model.bodies[body].mirror()) see_image(lane);
+    if (grains.model.bodies[body].mirror()) use_motion_against_image(lane);
     engine::recall(near_[body].history_of(touch.pair), batch_, lane);
   }
 
   /// Makes the motion against a plane of symmetry that against the grain's image: it comes as fast from the
   /// other side, slides along, and spins the same way about the normal and the opposite way across it.
-  void see_image(std::size_t lane) {
+  void use_motion_against_image(std::size_t lane) {
     const engine::Vector3 separation = batch_.separation[lane], velocity = batch_.velocity[lane];
     const double squared = dot(separation, separation);
     batch_.velocity.set(lane, 2 * dot(velocity, separation) / squared * separation);

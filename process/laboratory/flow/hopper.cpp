@@ -39,17 +39,20 @@ void add_limit(results::ExperimentResult& result, const std::string& name, doubl
   result.limits.push_back({name, measured, published, unit, source});
 }
 
+/// m/s; NaN where nothing has flowed.
+double fastest_of(const std::vector<double>& speeds) {
+  double fastest = std::nan("");
+  for (const double speed : speeds)
+    if (std::isfinite(speed)) fastest = std::fmax(fastest, std::abs(speed));
+  return fastest;
+}
+
 void add_limits(const HopperSetup& setup, const HopperFields& fields, double scale,
                 const continuum::LengthOfFraction& length, results::ExperimentResult& result) {
   const char* text = "Bierwisch 2009, section 5.1";
-  double fastest_down = 0, fastest_aside = 0;
-  for (const double speed : fields.vertical)
-    if (std::isfinite(speed)) fastest_down = std::max(fastest_down, std::abs(speed));
-  for (const double speed : fields.horizontal)
-    if (std::isfinite(speed)) fastest_aside = std::max(fastest_aside, std::abs(speed));
   add_limit(result, "bulk solid fraction", fields.bulk_fraction, 0.365, "1", text);
-  add_limit(result, "largest vertical speed", fastest_down, 0.46, "m/s", text);
-  add_limit(result, "largest horizontal speed", fastest_aside, 0.076, "m/s", text);
+  add_limit(result, "largest vertical speed", fastest_of(fields.vertical), 0.46, "m/s", text);
+  add_limit(result, "largest horizontal speed", fastest_of(fields.horizontal), 0.076, "m/s", text);
   add_limit(result, "outflow over D sqrt(gD)", fields.outflow / (scale * scale * scale / setup.gravity), 0.92,
             "1", "Bierwisch 2009, Table 5.2");
   add_limit(result, "B_0", 1e3 * length.smallest, 0.116, "mm", "Bierwisch 2009, Eq. 5.5");

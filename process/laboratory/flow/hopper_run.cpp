@@ -27,6 +27,7 @@ constexpr int kFractionEvery = 8;          // samples to one of the solid fracti
 constexpr double kGridSpacing = 5e-4;      // m
 constexpr double kMeasuredHeight = 50e-3;  // m, of the grid
 constexpr double kLongestSettling = 5;     // s
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Scene scene_of(const HopperSetup& setup) {
   Scene scene;
@@ -146,14 +147,14 @@ class Flow {
 
   HopperFields run(const std::function<void(double)>& on_progress) {
     const double burn = kBurn * std::sqrt(9.81 / setup_.gravity);
-    double began = -1, out_before = 0;
+    double began = kNone, out_before = kNone;
     while (level() > setup_.to && seconds() < 40 * burn) {
       advance(kInterval * std::sqrt(9.81 / setup_.gravity));
       fields_.time.push_back(seconds());
       fields_.discharged.push_back(discharged());
       on_progress(std::min(0.99, (level_ - level()) / (level_ - setup_.to)));
       if (seconds() < burn || level() > setup_.from) continue;
-      if (began < 0) {
+      if (std::isnan(began)) {
         began = seconds();
         out_before = discharged();
       }
@@ -206,6 +207,15 @@ class Flow {
   HopperFields fields_;
 };
 
+/// m^2/s, of those packings that have flowed; NaN where none has.
+double mean_outflow(const std::vector<HopperFields>& packings) {
+  double flowed = 0, mean = 0;
+  for (const auto& one : packings) flowed += std::isfinite(one.outflow) ? 1 : 0;
+  for (const auto& one : packings)
+    if (std::isfinite(one.outflow)) mean += one.outflow / flowed;
+  return flowed > 0 ? mean : kNone;
+}
+
 }  // namespace
 
 double grains_below_slit(const results::PowderState& powder) {
@@ -247,7 +257,7 @@ HopperFields mean_of(const std::vector<HopperFields>& packings) {
           sum += (one.*field)[k];
           ++count;
         }
-      values[k] = count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+      values[k] = count > 0 ? sum / count : kNone;
     }
   };
   average(&HopperFields::vertical);
@@ -258,11 +268,10 @@ HopperFields mean_of(const std::vector<HopperFields>& packings) {
   for (const auto& one : packings)
     for (std::size_t k = 0; k < mean.time.size(); ++k)
       mean.discharged[k] += one.discharged[k] / static_cast<double>(packings.size());
-  mean.outflow = mean.bulk_fraction = 0;
-  for (const auto& one : packings) {
-    mean.outflow += one.outflow / static_cast<double>(packings.size());
+  mean.bulk_fraction = 0;
+  for (const auto& one : packings)
     mean.bulk_fraction += one.bulk_fraction / static_cast<double>(packings.size());
-  }
+  mean.outflow = mean_outflow(packings);
   return mean;
 }
 

@@ -35,9 +35,10 @@ struct HopperFields {
   continuum::HopperGrid grid;
   std::vector<double> vertical, horizontal;  ///< m/s, (rows + 1) x columns
   std::vector<double> fraction;              ///< the same size
-  double outflow = 0;          ///< m^2/s of bulk powder while fields were taken, over the period
+  /// m^2/s of bulk powder while fields were taken, over the period; NaN where none were taken.
+  double outflow = 0;
   double bulk_fraction = 0;    ///< of the settled powder
-  double flowing_seconds = 0;  ///< s, that fields were taken for
+  double flowing_seconds = 0;  ///< s, that fields were taken for; NaN likewise
   std::size_t samples = 0, grains = 0;
   /// s since the opening, and m^2 of bulk powder over the period that has passed z = 0 by then, by the volume
   /// of the spheres' parts below it.
@@ -56,7 +57,7 @@ double grains_below_slit(const results::PowderState& powder);
 /// finished share.
 HopperFields run_hopper(const HopperSetup& setup, const std::function<void(double)>& on_progress);
 
-/// The mean of several packings of one set-up.
+/// The mean of several packings of one set-up; of the outflow, of those that have one.
 HopperFields mean_of(const std::vector<HopperFields>& packings);
 
 }  // namespace diefill::process::laboratory

@@ -1,13 +1,12 @@
 #include "process/laboratory/published/bed_window.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 
 #include "geometry/voronoi/neighbour_grid.h"
+#include "process/measure/period.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -19,14 +18,6 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 double cap_below(double radius, double height) {
   const double h = std::clamp(height + radius, 0.0, 2 * radius);
   return std::numbers::pi * h * h * (radius - h / 3);
-}
-
-/// The spheres with their periodic images within `reach`.
-geometry::PointImages with_images(const results::PowderState& powder, double reach) {
-  std::array<std::optional<double>, 3> period;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (powder.period[axis] > 0) period[axis] = powder.period[axis];
-  return geometry::with_periodic_images(powder.position, period, reach);
 }
 
 }  // namespace
@@ -46,7 +37,7 @@ double fraction_between(const results::PowderState& powder, double from, double 
 
 double contacts_between(const results::PowderState& powder, double from, double to) {
   const double largest = powder.largest_sphere_radius();
-  const geometry::PointImages all = with_images(powder, 2 * largest);
+  const auto all = geometry::with_periodic_images(powder.position, period_of(powder), 2 * largest);
   const geometry::NeighbourGrid grid(all.points, 2 * largest);
   double spheres = 0, contacts = 0;
   for (std::size_t k = 0; k < powder.position.size(); ++k) {

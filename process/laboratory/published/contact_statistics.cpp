@@ -4,17 +4,10 @@
 #include <cmath>
 
 #include "geometry/voronoi/neighbour_grid.h"
+#include "process/measure/period.h"
 
 namespace diefill::process::laboratory {
 namespace {
-
-/// The spheres of the powder, with their periodic images within `reach`.
-geometry::PointImages with_images(const results::PowderState& powder, double reach) {
-  std::array<std::optional<double>, 3> period;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (powder.period[axis] > 0) period[axis] = powder.period[axis];
-  return geometry::with_periodic_images(powder.sphere_centres(), period, reach);
-}
 
 /// Mean number of distinct neighbours of the grains that count.
 double mean_contacts(std::vector<std::vector<std::uint32_t>>& touching, const std::vector<bool>& counts) {
@@ -42,7 +35,7 @@ std::vector<bool> away_from_ends(const results::PowderState& powder, double marg
 ContactStatistics contact_statistics(const results::PowderState& powder, double bin, double margin) {
   constexpr std::size_t kBins = 200;
   const double d = powder.grain_diameter, reach = 2 * powder.largest_sphere_radius();
-  const geometry::PointImages all = with_images(powder, reach);
+  const auto all = geometry::with_periodic_images(powder.sphere_centres(), period_of(powder), reach);
   const auto grain_of = powder.grains_of_spheres();
   const auto counts = away_from_ends(powder, margin);
   const geometry::NeighbourGrid grid(all.points, reach);

@@ -80,6 +80,16 @@ bool takes_own_powder(const LabPlan& plan) {
   return !plan.runs.empty() && std::all_of(plan.runs.begin(), plan.runs.end(), takes_it);
 }
 
+void require_use_of_powder(const SceneExperiment& experiment, const LabSetting& setting) {
+  if (!has_own_powder(setting) || takes_own_powder(experiment.plan(setting))) return;
+  std::string others;
+  for (const SceneExperiment& other : scene_experiments())
+    if (takes_own_powder(other.plan(setting))) others += (others.empty() ? "" : ", ") + other.name;
+  throw SceneError(
+      "--powder: found \"" + setting.powder.string() + "\", but " + experiment.name +
+      " has powders of its own; leave it out, or choose an experiment that takes any powder: " + others);
+}
+
 LabPowder lab_powder(const LabSetting& setting, const std::string& preset, double scale) {
   LabPowder powder;
   if (!has_own_powder(setting)) {

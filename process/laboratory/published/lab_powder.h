@@ -29,6 +29,10 @@ bool has_own_powder(const LabSetting& setting);
 /// Whether a plan for such a setting has runs of scenes and all of them take that powder.
 bool takes_own_powder(const LabPlan& plan);
 
+/// Throws SceneError, in one line with the experiments that take any powder, where the setting names a powder
+/// and the experiment's runs would not use it.
+void require_use_of_powder(const SceneExperiment& experiment, const LabSetting& setting);
+
 /// "1.88 mm" in quotes, as scenes have lengths; a point of three lengths.
 std::string millimetres(double metres);
 std::string point_in_millimetres(double x, double y, double z);

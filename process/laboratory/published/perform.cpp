@@ -200,6 +200,12 @@ std::string verdict_of(const results::LabRow& row) {
   return mean < row.lower || mean > row.upper ? "not met" : "met";
 }
 
+bool holds_runs_of_other_scenes(const SceneExperiment& experiment, const LabSetting& setting,
+                                const fs::path& directory, int seeds) {
+  const WantedJobs wanted{experiment.name, variants_of(experiment.plan(setting), setting), seeds, {}};
+  return !find_jobs(directory, wanted).other_scenes.empty();
+}
+
 LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
                    const std::vector<PublishedFigure>& figures, const LabJobs& jobs) {
   const LabPlan plan = experiment.plan(setting);

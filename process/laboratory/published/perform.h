@@ -30,6 +30,11 @@ void take_published(const PublishedFigure& figure, results::LabRow& row);
 /// "met" or "not met" of a mean; "-" where the row has no limits, "no value" without one.
 std::string verdict_of(const results::LabRow& row);
 
+/// Whether the folder has a run of the experiment that was made of another scene, such as one with another
+/// powder. Throws SceneError and results::ResultError.
+bool holds_runs_of_other_scenes(const SceneExperiment& experiment, const LabSetting& setting,
+                                const std::filesystem::path& directory, int seeds);
+
 /// Throws SceneError, results::ResultError, and what run_jobs throws.
 LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
                    const std::vector<PublishedFigure>& figures, const LabJobs& jobs);

@@ -32,7 +32,7 @@ void find_effect_of_step(const ExperimentOptions& options, results::ExperimentRe
   chart.name = "step_effect";
   chart.title = "Solid fraction of a settled bed over the time step";
   chart.subtitle = "Model D, d = 1.88 mm; 1: the published step of 2 us at d = 0.47 mm in proportion to d";
-  chart.note = "Four times the published step and more: refused in advance or stopped by the validity check.";
+  chart.note = "No point: refused in advance or stopped by the validity check.";
   chart.x = {.label = "Time step over the published one", .logarithmic = true};
   chart.y = {.label = "Solid fraction", .lower = 0.37, .upper = 0.41};
   for (std::uint64_t seed = 1; seed <= (options.quick ? 2U : 3U); ++seed) {
@@ -46,7 +46,7 @@ void find_effect_of_step(const ExperimentOptions& options, results::ExperimentRe
       } catch (const engine::OutOfRange&) {
         // Stopped by the validity check: a result, not an error.
       } catch (const SceneError&) {
-        // Refused in advance: above the critical step.
+        // Refused in advance: above the critical step, or that of lasting contacts.
       }
       curve.x.push_back(factor);
       curve.y.push_back(fraction);

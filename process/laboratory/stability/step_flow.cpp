@@ -144,7 +144,7 @@ FlowFigures figures_of(const FlowCase& flow) {
   } catch (const engine::OutOfRange&) {
     // Stopped by the validity check: a result, not an error.
   } catch (const SceneError&) {
-    // Refused in advance: above the critical step.
+    // Refused in advance: above the critical step, or that of lasting contacts.
   }
   return {};
 }

@@ -8,7 +8,6 @@
 namespace diefill::process {
 namespace {
 
-constexpr double kReachOverWidth = 4;  // weights beyond are below 4e-4
 constexpr double kHoleOverDiameter = 1.2;
 constexpr double kHoleOverWidth = 1.5;
 

@@ -8,9 +8,12 @@
 
 namespace diefill::process {
 
+/// Weights beyond this many sigma are below 4e-4 and not counted.
+inline constexpr double kReachOverWidth = 4;
+
 /// rho(r) = sum_k rho_k w_k / sum_k w_k, w_k = exp(-(r - r_k)^2 / 2 sigma^2) (Bierwisch 2009, Eq. 2.27), over
-/// grains within 4 sigma. Where no grain centre is within the hole distance there is no powder to speak of
-/// and no value.
+/// grains within kReachOverWidth sigma. Where no grain centre is within the hole distance there is no powder
+/// to speak of and no value.
 class GaussianField {
  public:
   /// Solid fraction of the grains whose cells are closed. `averaging_width` is sigma in m and must be

@@ -1,5 +1,6 @@
 #include "process/measure/fields/stress_field.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "process/measure/fields/gaussian_field.h"
@@ -7,29 +8,42 @@
 namespace diefill::process {
 namespace {
 
-/// One component of all grains' velocities, averaged, where the grains are.
-std::vector<double> mean_velocity(const results::PowderState& powder, int axis, double averaging_width) {
-  std::vector<double> velocity;
-  for (const auto& grain : powder.velocity) velocity.push_back(grain[axis]);
-  const auto field = GaussianField::of_all_grains(powder.position, velocity, powder.grain_diameter,
-                                                  averaging_width, period_of(powder));
-  std::vector<double> mean;
-  for (const auto& place : powder.position) mean.push_back(field.at(place));
-  return mean;
+/// Square of each grain's velocity against the mean of the grains around it, m^2/s^2, by axis. The grain
+/// itself stays out of that mean, which would otherwise take part in its motion. The mean of others scatters
+/// too: where all velocities are independent, it widens the square by 1 + sum w^2 / (sum w)^2, which is
+/// divided out.
+std::vector<Eigen::Array3d> squared_fluctuations(const results::PowderState& powder, double averaging_width) {
+  const double reach = kReachOverWidth * averaging_width,
+               exponent = -0.5 / (averaging_width * averaging_width);
+  const auto all = geometry::with_periodic_images(powder.position, period_of(powder), reach);
+  const geometry::NeighbourGrid grid(all.points, 0.5 * reach);
+  std::vector<Eigen::Array3d> squares(powder.position.size(), Eigen::Array3d::Zero());
+  for (std::size_t k = 0; k < squares.size(); ++k) {
+    double weights = 0, squared_weights = 0;
+    Eigen::Array3d sum = Eigen::Array3d::Zero();
+    grid.for_each_within(all.points[k], reach, [&](std::uint32_t image, const auto&, double squared) {
+      const std::uint32_t other = all.source[image];
+      if (other == k) return;
+      const double weight = std::exp(exponent * squared);
+      weights += weight;
+      squared_weights += weight * weight;
+      sum += weight * powder.velocity[other].array();
+    });
+    if (!(weights > 0)) continue;
+    const double widening = 1 + squared_weights / (weights * weights);
+    squares[k] = (powder.velocity[k].array() - sum / weights).square() / widening;
+  }
+  return squares;
 }
 
 }  // namespace
 
 std::vector<Eigen::Vector3d> motion_stress_times_volume(const results::PowderState& powder,
                                                         double averaging_width) {
-  std::vector<Eigen::Vector3d> stress(powder.position.size(), Eigen::Vector3d::Zero());
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto mean = mean_velocity(powder, axis, averaging_width);
-    for (std::size_t k = 0; k < stress.size(); ++k) {
-      const double against_mean = powder.velocity[k][axis] - mean[k];
-      stress[k][axis] = -powder.mass_of(k) * against_mean * against_mean;
-    }
-  }
+  if (!(averaging_width > 0)) throw std::invalid_argument("the averaging width of a field must be positive");
+  const auto squares = squared_fluctuations(powder, averaging_width);
+  std::vector<Eigen::Vector3d> stress;
+  for (std::size_t k = 0; k < squares.size(); ++k) stress.emplace_back(-powder.mass_of(k) * squares[k]);
   return stress;
 }
 

@@ -31,7 +31,9 @@ class StressField {
 };
 
 /// J of every grain: the part of Eq. 3.8 (Bierwisch 2009) that stems from its motion against the mean
-/// velocity of the powder within the averaging width, diagonal only.
+/// velocity of the other grains around it (weights of Eq. 2.27), diagonal only. Right on average for grains
+/// that move independently of each other, whatever the width; 0 without other grains within 4 sigma. Throws
+/// std::invalid_argument for a width that is not positive.
 std::vector<Eigen::Vector3d> motion_stress_times_volume(const results::PowderState& powder,
                                                         double averaging_width);
 

@@ -89,6 +89,7 @@ Json entry(const Screening& screening) {
                 {"margin_95", json_number(quantity.margin)},
                 {"prediction_error_percent_main_effects", json_number(quantity.error_without)},
                 {"prediction_error_percent_with_interactions", json_number(quantity.error_with)}};
+    if (!quantity.error_source.empty()) one["standard_errors_from"] = quantity.error_source;
     one["effects"] = Json::object();
     for (const ScreenedEffect& effect : screening.effects)
       one["effects"][effect.string] = json_number(effect.values[q]);
@@ -183,6 +184,13 @@ std::string screening_csv(const Screening& screening) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& calibration_tables() {
+  static const std::vector<std::string> names = {
+      "calibration.json", "calibration.csv", "calibration_points.csv", "calibration.html",
+      "calibration.pdf",  "screening.csv",   "screening.html",         "screening.pdf"};
+  return names;
+}
 
 void write_calibration(const std::filesystem::path& directory, const Calibration& calibration) {
   write_text_atomically(directory / "calibration.json", json_of(calibration));

@@ -34,6 +34,8 @@ struct CalibrationDatum {
   double lower = 0, upper = 0;         ///< over the region of parameters that agree
   /// At the best parameters with finer grains.
   double finer = std::numeric_limits<double>::quiet_NaN();
+  /// Degrees of freedom that `scatter` of a check is estimated with; 0: it is not known. Not stored.
+  double freedom = 0;
 };
 
 struct CalibratedMeasurement {
@@ -83,17 +85,20 @@ struct ScreenedQuantity {
   std::string name, unit;
   double mean = 0, error = 0,
          margin = 0;  ///< standard error and 95 % half width of an effect; NaN: not known
-  double error_without = 0, error_with = 0;     ///< percent, of the regression without and with interactions
+  /// Percent, of the regression without and with interactions; NaN where the quantity is 0 or changes its
+  /// sign.
+  double error_without = 0, error_with = 0;
   std::vector<RegressionTerm> regression = {};  ///< besides the mean, which is its constant
+  std::string error_source = {};                ///< where `error` comes from, as text
 };
 
 struct Screening {
   std::size_t runs = 0, resolution = 0;  ///< resolution 0: full factorial
   std::vector<std::string> letters, generators, words;
-  std::string error_source;  ///< where standard errors come from, as text
+  std::string error_source;  ///< where standard errors come from, as text; of several, for which quantities
   std::vector<ScreenedQuantity> quantities;
   std::vector<ScreenedEffect> effects;
-  std::vector<std::string> remarks = {};  ///< which quantities have no effects, and why
+  std::vector<std::string> remarks = {};  ///< which quantities have no effects or no relative error, and why
 };
 
 struct Calibration {
@@ -122,6 +127,9 @@ struct Calibration {
   std::vector<std::string> insights, remarks;
   Screening screening;  ///< runs 0: none
 };
+
+/// Names of the files that hold a calibration or screening in its directory, reports included.
+const std::vector<std::string>& calibration_tables();
 
 /// Writes `directory`/calibration.json, calibration.csv (measured against simulated), calibration_points.csv
 /// and, of a screening, screening.csv, each whole or not at all. Throws ResultError.

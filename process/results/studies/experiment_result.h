@@ -41,7 +41,7 @@ struct ExperimentChart {
 /// A limit that was determined.
 struct ExperimentLimit {
   std::string name;
-  double measured = 0;
+  double measured = 0;                                          ///< NaN: no value
   double predicted = std::numeric_limits<double>::quiet_NaN();  ///< NaN: no theory
   std::string unit;
   std::string source;  ///< of the prediction

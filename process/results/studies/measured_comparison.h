@@ -14,7 +14,7 @@ struct MeasuredZone {
   std::size_t points = 0;
   double measured = 0, simulated = 0;  ///< means
   double rms = 0;                      ///< root of the mean square difference
-  double correlation = 0;              ///< Pearson's; NaN for fewer than three points or values all the same
+  double correlation = 0;              ///< pearson_correlation()
 };
 
 /// Numbers in `unit`, places in their own units.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct TradeoffQuantity {
   double reference = 0;     ///< mean of the reference setting, or the target; NaN where there is none
   bool is_target = false;   ///< a published value took the place of the reference setting's
   double scatter = 0;       ///< over seeds, pooled over all settings, over the scale; NaN: not known
-  double floor = 0;         ///< error over the scale that seeds alone explain (95 %); NaN: not known
+  /// Error over the scale that seeds alone explain (95 %) of a setting with the most seeds; NaN: not known.
+  double floor = 0;
 
   const std::string& name_in_files() const { return column.empty() ? name : column; }
 };
@@ -31,6 +33,9 @@ struct TradeoffValue {
   double scatter = 0;       ///< standard deviation of a sample; NaN for fewer than two seeds
   std::uint64_t seeds = 0;  ///< runs with a value
   double error = 0;         ///< distance from the reference over the quantity's scale
+  /// Error over the scale that the seeds of this setting and of the reference alone explain (95 %). Not
+  /// stored.
+  double floor = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// One value of one knob.

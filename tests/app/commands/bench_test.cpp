@@ -107,6 +107,12 @@ TEST(Bench, ScenesNeedACheckpointAndNoWordsOfBeds) {
   EXPECT_NE(refusal({}).find("--state must name the directory of a stopped run"), std::string::npos);
   EXPECT_NE(refusal({"--law", "jkr"}).find("are for beds"), std::string::npos);
   EXPECT_NE(refusal({"--state", die.folder().string()}).find("no checkpoint of a run"), std::string::npos);
+  die.write("checkpoint.bin", "none");
+  const std::string damaged = refusal({"--state", die.folder().string()});
+  EXPECT_NE(damaged.find("--state: found the checkpoint of " + die.folder().string() + ", which is damaged"),
+            std::string::npos)
+      << damaged;
+  EXPECT_EQ(damaged.find("--resume"), std::string::npos) << damaged;
 }
 
 // A tenth of the step on two threads is serial, nothing waits: 0.1 + 1.8 / N of its time.
@@ -125,6 +131,8 @@ TEST(Bench, TracesEnergiesAndTheFinalGrains) {
       run_program({"bench", "spheres", "--state", (die.folder() / "bed.csv").string(), "--width", "2",
                    "--steps", "20", "--every", "10", "--trace", die.out().string()});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find(die.out().string() + ": energy.csv, grains.csv"), std::string::npos)
+      << outcome.out;
   std::istringstream energies(contents(die.out() / "energy.csv"));
   std::string line;
   int rows = 0;
@@ -146,6 +154,20 @@ TEST(Bench, MakesABedWhenNoneIsGiven) {
   const Outcome outcome = run_program({"bench", "clumps", "--spheres", "1000", "--steps", "10"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("sphere_steps_per_second: "), std::string::npos) << outcome.out;
+}
+
+TEST(Bench, NamesTheBedsWhereThereIsNoSuchScene) {
+  const Outcome outcome = run_program({"bench", "foo"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("found \"foo\" (allowed: spheres, clumps, a scene file that exists)"),
+            std::string::npos)
+      << outcome.err;
+}
+
+TEST(Bench, RefusesStepsBetweenOutputsWithoutATrace) {
+  const Outcome outcome = run_program({"bench", "clumps", "--every", "5"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("--trace"), std::string::npos) << outcome.err;
 }
 
 TEST(Bench, WrongBedsEndInOneLine) {

@@ -21,6 +21,10 @@ TEST(ExportedJobs, StandAloneAndGatherToTheSameComparison) {
   for (const char* input : {"die.stl", "shoe.stl", "scene.toml"})
     std::filesystem::remove(die.folder() / input);
 
+  const SmallDie other;
+  const Outcome foreign = run_program({"compare", other.scene().string(), "--collect", elsewhere.string()});
+  EXPECT_EQ(foreign.exit_code, 2);
+  EXPECT_NE(foreign.err.find("holds runs of another scene"), std::string::npos) << foreign.err;
   const Outcome early = run_program({"compare", "--collect", elsewhere.string()});
   EXPECT_EQ(early.exit_code, 1);
   EXPECT_NE(early.out.find("\"quick\", seed 1: not finished"), std::string::npos) << early.out;

@@ -117,6 +117,9 @@ TEST(Film, RefusesWhatItCannotShow) {
   const Outcome many = run_program({"film", out, out, out, out, out});
   EXPECT_EQ(many.exit_code, 2);
   EXPECT_NE(many.err.find("found 5 directories"), std::string::npos) << many.err;
+  const Outcome twice = run_program({"film", out, out, "--turntable"});
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_NE(twice.err.find("which are the same results"), std::string::npos) << twice.err;
   const Outcome name = run_program({"film", out, "--out", "film.avi"});
   EXPECT_EQ(name.exit_code, 2);
   EXPECT_NE(name.err.find("ends in .mp4"), std::string::npos) << name.err;

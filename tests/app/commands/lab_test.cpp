@@ -112,5 +112,32 @@ TEST(Lab, CollectingLeavesFoldersOfRunsAsTheyAre) {
   EXPECT_NE(table.dump().find("1 of 3 runs of a different scene"), std::string::npos) << table.dump();
 }
 
+// Calibrations all write powder.toml, and folders are called by it.
+TEST(Lab, KeepsTheDataSheetOfAnotherPowderOfTheSameFileName) {
+  const support::TemporaryFolder folder;
+  const auto powder = folder.write("powder.toml", "[powder]\npreset = \"ASC100.29 A2\"\n");
+  const auto sheet = folder.path() / "out/powder_sheet/coarse_powder";
+  const auto run = sheet / "funnel_and_cup/seed-1";
+  std::filesystem::create_directories(run);
+  std::ofstream(run / "scene.toml") << "title = \"another\"\n";
+  std::ofstream(sheet / "data_sheet.html") << "of another";
+  const std::vector<std::string> collect = {
+      "lab", "powder", powder.string(), "--collect", "--quiet", "--out", (folder.path() / "out").string()};
+  const Outcome outcome = run_program(collect);
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;  // no value
+  EXPECT_EQ(contents(sheet / "previous-1/data_sheet.html"), "of another");
+  EXPECT_NE(outcome.err.find("previous-1"), std::string::npos) << outcome.err;
+  EXPECT_NE(contents(sheet / "data_sheet.html"), "of another");
+}
+
+TEST(Lab, HelpOfAnExperimentHasItsOwnExampleAndOptions) {
+  const Outcome sawing = run_program({"lab", "wire_sawing", "--help"});
+  EXPECT_NE(sawing.out.find("--film"), std::string::npos) << sawing.out;
+  const Outcome beds = run_program({"lab", "mean_fractions", "--help"});
+  EXPECT_EQ(beds.out.find("--film"), std::string::npos) << beds.out;
+  EXPECT_NE(beds.out.find("diefill lab mean_fractions"), std::string::npos) << beds.out;
+  EXPECT_EQ(beds.out.find("diefill new"), std::string::npos) << beds.out;
+}
+
 }  // namespace
 }  // namespace diefill::app

@@ -66,6 +66,13 @@ TEST(New, RefusesAChangeOfAKeyThatThereIsNot) {
   EXPECT_FALSE(fs::exists(copy));
 }
 
+TEST(New, NamesTheWantedPlaceWhereNothingCanBeWritten) {
+  const Outcome outcome = run_program({"new", "/proc/x"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("/proc/x: cannot be written: "), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find(".tmp"), std::string::npos) << outcome.err;
+}
+
 TEST(SceneChanges, HoldForARun) {
   const SmallDie die;
   const Outcome outcome = die.run({"--no-pictures", "--set", "step.1.velocity = \"0.3 m/s\""});

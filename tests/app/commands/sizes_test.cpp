@@ -56,8 +56,10 @@ TEST(Sizes, RunMeasureAndDraw) {
   EXPECT_NEAR(report.at("filled_mass_kg").get<double>(), filled, 1e-9 * filled);
 
   for (const char* picture : {"size-section", "view"}) {
-    const Outcome drawn = run_program({"map", die.out().string(), "--picture", picture, "--colour-by",
-                                       "diameter", "--out", (die.folder() / "maps").string()});
+    std::vector<std::string> arguments = {
+        "map", die.out().string(), "--picture", picture, "--out", (die.folder() / "maps").string()};
+    if (arguments[3] == "view") arguments.insert(arguments.end(), {"--colour-by", "diameter"});
+    const Outcome drawn = run_program(arguments);
     EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
   }
   EXPECT_EQ(SmallDie::files_in(die.folder() / "maps"),

@@ -132,6 +132,10 @@ TEST(Tradeoff, BadInputEndsInOneLineBeforeAnythingRuns) {
   refused({"--vary", "economy.slep=true"}, "economy");
   refused({"--vary", "time_step=0.3", "--target", "filled_mas=3"}, "did you mean \"filled_mass\"?");
   refused({"--vary", "time_step=0.3", "--target", "filled_mass"}, "NAME=NUMBER");
+  for (const char* word : {"filled_mass=0", "filled_mass=-3", "solid_fraction=2", "solid_fraction=0.3 g"})
+    refused({"--vary", "time_step=0.3", "--target", word}, std::string("--target: found \"") + word + '"');
+  refused({"--vary", "time_step=0.3", "--target", "filled_mass=3", "--target", "filled_mass=4 mg"},
+          "filled_mass is given twice");
   refused({"--vary", "time_step=0.3", "--reference", "bas"}, "did you mean \"base\"?");
   EXPECT_FALSE(std::filesystem::exists(die.out()));
 }

@@ -65,6 +65,14 @@ TEST_F(WrongOptions, UnknownWordsAreNamedWithTheNearest) {
   refused({"run", scene(), "--renderer", "embre"}, {"--renderer: found \"embre\"; did you mean \"embree\"?"});
 }
 
+TEST_F(WrongOptions, OptionsOfRunsDoNotGoWithExportedJobs) {
+  for (const std::string option : {"--resume", "--jobs", "--threads"}) {
+    Words words = {"calibrate", scene(), "--export-jobs", "jobs", option};
+    if (option != "--resume") words.push_back("2");
+    refused(words, {"--export-jobs", option});
+  }
+}
+
 TEST_F(WrongOptions, NumbersAreFiniteAndWithinTheirLimits) {
   for (const std::string number : {"nan", "NaN", "inf", "-inf", "1e999", "many", "-1"}) {
     const std::string found = ": found \"" + number + "\"";
@@ -130,6 +138,28 @@ TEST_F(WrongOptions, OtherJsonFilesAreRefusedInOneLine) {
     refused({"estimate", scene(), "--discharge", "fit.json"}, {"fit.json: "});
     for (const char* file : {"comparison.json", "jobs.json", "fit.json"}) fs::remove(die_.folder() / file);
   }
+}
+
+TEST_F(WrongOptions, CompareOverwritesNothingThatItReads) {
+  const std::string folder = die_.folder().string();
+  die_.write("comparison.csv", "azimuth [deg], fill level [mm]\n10, 5\n");
+  const std::string expected = "whose comparison.csv the command reads and would overwrite";
+  refused({"compare", "--collect", folder, "--measured", "comparison.csv"}, {"--collect: found", expected});
+  refused({"compare", scene(), "--out", folder, "--measured", "comparison.csv"}, {"--out: found", expected});
+}
+
+TEST_F(WrongOptions, AFolderInPlaceOfAComparisonIsNamed) {
+  const std::string folder = die_.folder().string();
+  fs::create_directory(die_.folder() / "comparison.json");
+  refused({"compare", "--collect", folder}, {"whose comparison.json is a directory"});
+  refused({"compare", scene(), "--out", folder}, {"whose comparison.json is a directory"});
+  refused({"report", folder}, {"comparison.json: not a comparison written by diefill"});
+}
+
+TEST_F(WrongOptions, CollectingTakesNoOptionsOfRuns) {
+  const std::string folder = die_.folder().string();
+  for (const char* option : {"--seeds", "--jobs", "--out"})
+    refused({"compare", "--collect", folder, option, "2"}, {"--collect", option});
 }
 
 TEST(New, TakesAFolderWithASlashBehindIt) {

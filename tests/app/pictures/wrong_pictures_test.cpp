@@ -87,6 +87,38 @@ TEST_F(WrongPictures, NoDirectoryIsLeftWhereNothingCanBeDrawn) {
   EXPECT_TRUE(fs::exists(out / "section.png"));
 }
 
+TEST_F(WrongPictures, OptionsWithoutEffectAreRefused) {
+  std::ofstream(one() / "level.csv") << "azimuth [deg], fill level [mm]\n45, 3\n";
+  const std::string level = (one() / "level.csv").string();
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{"--picture", "histogram", "--to", "0 s"},
+       "--to: has no effect without --time-average or --picture difference, displacement, view"},
+      {{"--picture", "velocity", "--from", "0 s"}, "--from: has no effect without --time-average"},
+      {{"--picture", "view", "--from", "0 s"}, "--from: has no effect without"},
+      {{"--picture", "histogram", "--origin", "0 mm", "0 mm", "0 mm"}, "--origin: has no effect without"},
+      {{"--picture", "map", "--normal", "z"}, "--normal: has no effect without --picture section"},
+      {{"--picture", "histogram", "--range", "0.3", "0.4"}, "--range: has no effect without"},
+      {{"--picture", "map", "--colour-by", "speed"}, "--colour-by: has no effect without --picture view"},
+      {{"--camera", "top"}, "--camera: has no effect without --picture view, frames"},
+      {{"--measured", level, "--from", "0 s"}, "--from: has no effect with --measured"},
+      {{"--measured", level, "--picture", "map"}, "--measured: found --picture map, allowed: one results"},
+      {{"--measured", level, "--x", "time"}, "--measured: found --x, allowed: one results directory"},
+  };
+  for (const auto& [arguments, expected] : wrong) {
+    SCOPED_TRACE(expected);
+    const Outcome outcome = map(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(out()));
+  }
+  const Outcome two_results = map({"--measured", level}, true);
+  EXPECT_NE(two_results.err.find("--measured: found 2 results directories"), std::string::npos)
+      << two_results.err;
+  // One of several kinds uses it.
+  EXPECT_EQ(map({"--picture", "histogram", "--picture", "map", "--range", "0.3", "0.6"}).exit_code, 0);
+}
+
 TEST_F(WrongPictures, WrongWordsAreExplainedInOneLine) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
       {{"--picture", "hystogram"}, "did you mean \"histogram\"?"},
@@ -95,14 +127,16 @@ TEST_F(WrongPictures, WrongWordsAreExplainedInOneLine) {
       {{"--picture", "difference", "--from", "9 s"}, "the results contain 2 from 0.1 s to 0.2 s"},
       {{"--picture", "displacement", "--from", "0.2 s", "--to", "0.1 s"}, "must come before"},
       {{"--picture", "map", "--range", "0.4", "0.3"}, "must be less than"},
-      {{"--picture", "map", "--range", "nan", "nan"}, "--range: found \"nan\", allowed: a finite number"},
+      {{"--picture", "map", "--range", "nan", "nan"},
+       "--range: found \"nan\", allowed: a number from -1e+09 to 1e+09"},
+      {{"--picture", "map", "--range", "-1e308", "1e308"}, "--range: found \"-1e308\""},
       {{"--picture", "map", "--range", "0.3", "inf"}, "--range: found \"inf\""},
       {{"--picture", "map", "--range", "0.3", "1e999"}, "--range: found \"1e999\""},
       {{"--picture", "map", "--averaging-width", "1 nm"}, "from a tenth of a grain"},
       {{"--picture", "map", "--averaging-width", "1 km"}, "to 16 mm"},
       {{"--picture", "section", "--origin", "1e9 m", "0 m", "0 m"}, "--origin: found \"1e9 m\""},
       {{"--picture", "section", "--origin", "0 mm", "0 mm", "40 mm"}, "outside die and powder"},
-      {{"--picture", "map", "--from", "-1 s"}, "--from: found \"-1 s\", allowed: 0 s to"},
+      {{"--picture", "difference", "--from", "-1 s"}, "--from: found \"-1 s\", allowed: 0 s to"},
       {{"--picture", "map", "--cavity", "0"}, "--cavity: found \"0\""},
       {{"--picture", "view", "--colour-by", "sped"}, "did you mean \"speed\"?"},
       {{"--picture", "view", "--camera", "frnt"}, "did you mean \"front\""},

@@ -60,6 +60,41 @@ TEST(GeneralTimeStep, IsThatOfAnOscillatorForLinearSprings) {
   EXPECT_NEAR(critical_time_step(shape, both(law), kSpeed), 2 * 0.5 * kMass / 1.0, 1e-12);
 }
 
+double lasting_step(const GrainShape& shape, const GeneralContact& contact) {
+  return lasting_contact_time_step(ParticleTypes({{shape}}), contact, {{}}, 0.5);
+}
+
+TEST(GeneralTimeStep, OfALastingContactIsThatOfSpringAndDamperTogether) {
+  LawParameters law;
+  law.normal = LinearNormal::Parameters{500};      // N/m
+  law.damping = ConstantDamping::Parameters{1.0};  // kg/s
+  GeneralContact contact = both(law);
+  const double pair = stable_step(0.5 * kMass, 500, 1.0);
+  EXPECT_NEAR(lasting_step(model_a(kRadius, kMass), contact), pair, 1e-9 * pair);
+
+  contact.walls.damping = ConstantDamping::Parameters{3.0};
+  const double wall = stable_step(kMass, 500, 3.0);
+  EXPECT_NEAR(lasting_step(model_a(kRadius, kMass), contact), wall, 1e-9 * wall);
+
+  // Sliding turns single spheres, which makes them 3.5 times as light.
+  contact.grains.friction = LudingFriction::Parameters{
+      .stiffness = 60, .damping = 5, .static_friction = 0.5, .dynamic_friction = 0.5};
+  const double sliding = stable_step(0.5 * kMass / 3.5, 60, 5);
+  EXPECT_NEAR(lasting_step(model_b(kRadius, kMass), contact), sliding, 1e-4 * sliding);
+}
+
+TEST(GeneralTimeStep, OfALastingContactIsNeverBelowFourTenthsOfTheCriticalOne) {
+  const GrainShape shape = model_d(kRadius, kMass);
+  double smallest = 1e300;
+  for (double damping = 1; damping < 1e5; damping *= 1.5) {
+    const auto law = bierwisch_law({.reduced_modulus = 1e7, .damping = damping});
+    const double share = lasting_step(shape, both(law)) / critical_time_step(shape, both(law), 0.5);
+    smallest = std::min(smallest, share);
+  }
+  EXPECT_GE(smallest, std::sqrt(2) - 1);
+  EXPECT_LT(smallest, 0.55);
+}
+
 TEST(GeneralTimeStep, FollowsTheStiffestSpringWhicheverItIs) {
   const GrainShape shape = model_b(kRadius, kMass);
   constexpr double kModulus = 5e6, kOverlap = 1e-5;  // Pa, m

@@ -27,21 +27,27 @@ WallBodySpec jaw(const std::string& name, double top, double side, double speed)
   return body;
 }
 
-/// `grains` single spheres on top of each other between two jaws that press each contact in by
-/// `over_radius`, the upper jaw moving at `speed` (m/s).
-Simulation column_between_jaws(int grains, double over_radius, double lower_speed, double upper_speed,
-                               double time_step = 1e-9) {
+/// `grains` single spheres on top of each other between two jaws, `lower` and one that moves at `upper_speed`
+/// (m/s), which press each contact in by `over_radius`.
+Simulation column_on(WallBodySpec lower, int grains, double over_radius, double upper_speed,
+                     double time_step = 1e-9) {
   auto settings = weightless(Model::a, {}, time_step);
   const double radius = settings.shape().sphere_radius, pitch = (2 - over_radius) * radius;
   const double first = (1 - over_radius) * radius;
-  Simulation simulation(settings, {jaw("die", 0, 1, lower_speed),
-                                   jaw("shoe", 2 * first + (grains - 1) * pitch, -1, upper_speed)});
+  Simulation simulation(settings,
+                        {std::move(lower), jaw("shoe", 2 * first + (grains - 1) * pitch, -1, upper_speed)});
   std::vector<NewGrain> column(static_cast<std::size_t>(grains));
   for (std::size_t k = 0; k < column.size(); ++k)
     column[k].position.z() = first + static_cast<double>(k) * pitch;
   simulation.add_grains(column);
   simulation.step();
   return simulation;
+}
+
+/// The same on a die that moves at `lower_speed` (m/s).
+Simulation column_between_jaws(int grains, double over_radius, double lower_speed, double upper_speed,
+                               double time_step = 1e-9) {
+  return column_on(jaw("die", 0, 1, lower_speed), grains, over_radius, upper_speed, time_step);
 }
 
 std::vector<PinchedGrain> named(const Simulation& simulation) {
@@ -88,6 +94,15 @@ TEST(PinchedGrains, LeavesABedUnderLoadToOtherChecksOfTheTimeStep) {
 TEST(PinchedGrains, LeavesGrainsBetweenToolsThatStandOrMoveTogether) {
   EXPECT_TRUE(named(column_between_jaws(2, 0.6, 0, 0)).empty());
   EXPECT_TRUE(named(column_between_jaws(2, 0.6, 0.2, 0.2)).empty());
+}
+
+// In the whole model the chain goes on to its image and ends on the same shoe.
+TEST(PinchedGrains, LeavesGrainsBetweenAMovingToolAndAPlaneOfSymmetry) {
+  WallBodySpec symmetry = jaw("symmetry", 0, 1, 0);
+  symmetry.mirror = true;
+  EXPECT_TRUE(named(column_on(symmetry, 2, 0.6, 0.2)).empty());
+  constexpr double kTooLong = 2.5e-6;  // s, for the time step as well
+  EXPECT_TRUE(named(column_on(symmetry, 2, 0.4, 0.2, kTooLong)).empty());
 }
 
 TEST(PinchedGrains, LeavesAnImpactOnOneWall) {

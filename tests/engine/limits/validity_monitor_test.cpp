@@ -169,6 +169,15 @@ TEST(ValidityMonitor, WarnsOnceOfAGrainTooFastForTheStep) {
   }
 }
 
+TEST(ValidityMonitor, WarnsNoMoreOfWhatItWasRestoredWith) {
+  ValidityMonitor monitor, resumed;
+  EXPECT_EQ(complaint(monitor, pair_with_overlap(0.3, 1e-9)), "");
+  ASSERT_EQ(monitor.warnings().size(), 1U);
+  resumed.restore(monitor.state());
+  EXPECT_EQ(complaint(resumed, pair_with_overlap(0.4, 1e-9)), "");
+  EXPECT_EQ(resumed.warnings(), monitor.warnings());
+}
+
 TEST(ValidityMonitor, StopsWhenGrainsLieInsideEachOther) {
   auto settings = weightless(Model::a, {.damping_over_radius = 0}, 1e-12);
   Simulation simulation(settings, {});

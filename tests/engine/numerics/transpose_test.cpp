@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "engine/numerics/vector_instructions.h"
 
 namespace diefill::engine {
@@ -29,6 +31,14 @@ TEST(Transpose, LanesHoldOneNumberOfEachRecordAndComeBack) {
         EXPECT_EQ(back[r][k], k < 3 ? 10 * r + k : 0);
       }
   }
+}
+
+TEST(Transpose, ReadsThreeNumbersAndPutsZeroBehindThem) {
+  // Just as many as there are: what lies behind is the next grain's.
+  const std::vector<double> three = {1, 2, 3};
+  Four numbers;
+  load_three(numbers, three.data());
+  for (int k = 0; k < 4; ++k) EXPECT_EQ(numbers[k], k < 3 ? k + 1 : 0);
 }
 
 TEST(Transpose, ReadsAndAddsAtAnyBorderOfANumber) {

@@ -1,6 +1,8 @@
 // Calibrations from start to check, with made-up runs: what they say at their end.
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <map>
 #include <set>
 
 #include "process/calibration/calibrate.h"
@@ -38,6 +40,23 @@ class MadeUpRounds : public testing::Test {
     return calibrate(made_up_.plan, options_);
   }
 
+  /// Every file of the directory by its path and contents, but powder.toml, which a fit writes.
+  std::map<std::string, std::string> files_but_powder() const {
+    std::map<std::string, std::string> found;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(options_.points.directory))
+      if (entry.is_regular_file() && entry.path().filename() != "powder.toml")
+        found[entry.path().string()] = support::contents(entry.path());
+    return found;
+  }
+  std::string refusal_to_collect() {
+    try {
+      collected();
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
   MadeUpCalibration made_up_;
   CalibrateOptions options_;
 };
@@ -69,6 +88,43 @@ TEST_F(MadeUpRounds, SayWhereTheBudgetLeftNoCheck) {
   EXPECT_EQ(account.stopped, "the budget is used");
   EXPECT_TRUE(has_line(account.remarks, "the check was not run: the budget is used"));
   EXPECT_FALSE(has_line(account.insights, "the check \"die\""));
+}
+
+TEST_F(MadeUpRounds, AreCollectedWithoutAChangeToTheirScenes) {
+  run_all();
+  const auto before = files_but_powder();
+  ASSERT_TRUE(collected().fitted);
+  EXPECT_EQ(files_but_powder(), before);
+}
+
+TEST_F(MadeUpRounds, ThoseOfAnotherCalibrationAreRefusedAndStayAsTheyAre) {
+  run_all();
+  const auto before = files_but_powder();
+  made_up_.plan.parameters[0].to = 0.5;
+  const std::string said = refusal_to_collect();
+  EXPECT_NE(said.find("found no runs of " + made_up_.plan.file.string() + ", but runs of other scenes"),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(files_but_powder(), before);
+}
+
+TEST_F(MadeUpRounds, ThoseOfAComparisonAreRefused) {
+  std::filesystem::create_directories(options_.points.directory);
+  results::write_job_list(options_.points.directory,
+                          {"comparison", {"as it is"}, {{"as it is", 1, "as_it_is/seed-1"}}});
+  const auto before = files_but_powder();
+  EXPECT_NE(refusal_to_collect().find("found no runs of"), std::string::npos);
+  EXPECT_EQ(files_but_powder(), before);
+}
+
+TEST_F(MadeUpRounds, ARunOfAnotherSceneIsLeftOutWhereTheyAreCollected) {
+  run_all();
+  std::ofstream(options_.points.directory / "p002_r01" / "seed-2" / "scene.toml") << faultless_scene();
+  const auto before = files_but_powder();
+  const auto account = collected();
+  EXPECT_EQ(account.stopped, "1 runs are not finished: 1 of these folders hold runs of other scenes");
+  EXPECT_EQ(account.points.at(1).state, "left out");
+  EXPECT_EQ(files_but_powder(), before);
 }
 
 TEST_F(MadeUpRounds, NameTheMeasurementWithTooFewValues) {
@@ -126,6 +182,27 @@ TEST_F(MadeUpRounds, AScreeningNamesTheRunsWithoutAValueAndKeepsOtherEffects) {
                                       : -0.5,
                 1e-12)
         << term.letters;
+}
+
+TEST_F(MadeUpRounds, AScreeningSaysOfEachQuantityWhereItsErrorComesFrom) {
+  made_up_.plan.parameters.push_back({"walls.friction", "1", 0.1, 0.3, false});
+  made_up_.add("slope", {30}, 1);
+  const FractionalDesign design = compact_design(2, 4);
+  SimulatedPoints simulated;
+  for (std::size_t run = 0; run < design.runs(); ++run) {
+    const double friction = level(design, run, 0);
+    add_point(simulated, "screening", 0, {{5 + friction}, {}, {2 * friction}});
+    simulated.outcomes.back().values[0].push_back({5.1 + friction});  // another seed of the slit alone
+  }
+  const results::Screening screening = screening_of(made_up_.plan, design, simulated);
+  ASSERT_EQ(screening.quantities.size(), 2U);
+  EXPECT_EQ(screening.quantities[0].error_source, "runs with other seeds");
+  EXPECT_EQ(screening.quantities[1].error_source, "nothing: too few runs; use two seeds or more");
+  EXPECT_EQ(screening.error_source,
+            "runs with other seeds (slit); nothing: too few runs; use two seeds or more (slope)");
+  EXPECT_TRUE(std::isfinite(screening.quantities[0].error_with));
+  EXPECT_TRUE(std::isnan(screening.quantities[1].error_with));
+  EXPECT_TRUE(has_line(screening.remarks, "no relative error of the regression of slope, which is 0 or"));
 }
 
 }  // namespace

@@ -99,6 +99,19 @@ TEST(EffectRegression, InteractionsLowerThePredictionErrorByWhatTheyAre) {
   EXPECT_NEAR(predicted(model, {1.5, 2}), 10.5, 1e-12);  // half a level up
 }
 
+TEST(EffectRegression, HasNoRelativeErrorWhereTheResponseIsZeroOrChangesItsSign) {
+  const auto design = design_of(2, {});
+  const std::vector<FactorRange> ranges = {{-1, 1}, {-1, 1}};
+  const auto error = [&](const std::vector<double>& y) {
+    return prediction_error(fit_effects(design, ranges, y, {}), settings_of(design, ranges), y);
+  };
+  EXPECT_TRUE(std::isnan(error({3, 2, 1, 0})));
+  EXPECT_TRUE(std::isnan(error({3, -2, 1, 1})));
+  EXPECT_TRUE(std::isnan(error({0, 0, 0, 0})));
+  EXPECT_NEAR(error({-5, -3, -4, -2.4}), error({5, 3, 4, 2.4}), 1e-12);
+  EXPECT_GT(error({5, 3, 4, 2.4}), 0);
+}
+
 TEST(EffectRegression, AnAliasStringGoesToThePairOfLargerMainEffects) {
   const auto design = kottlan_design();
   Planted truth;
@@ -169,6 +182,22 @@ TEST(ScreeningEffects, WithoutRepeatsLenthsErrorFindsTheFewEffectsThatAct) {
   for (const auto& effect : screening.effects) {
     const std::string name = text_of(effect.string);
     EXPECT_EQ(std::abs(effect.value) > screening.margin, name == "B" || name == "E") << name;
+  }
+}
+
+TEST(ScreeningEffects, WithoutRepeatsEffectsThatAreMostlyZeroTellNoError) {
+  const auto design = compact_design(8, 4);
+  const auto effects = [&](double friction) {
+    std::vector<std::vector<double>> y;
+    for (std::size_t run = 0; run < design.runs(); ++run)
+      y.push_back({1 / 3.0 + friction * level(design, run, 0)});
+    return screening_effects(design, y);
+  };
+  for (const double friction : {0.0, 0.1}) {  // what rounding leaves of the others is no scatter
+    const auto screening = effects(friction);
+    EXPECT_EQ(screening.source, ErrorSource::zeros);
+    EXPECT_TRUE(std::isnan(screening.error));
+    EXPECT_TRUE(std::isnan(screening.margin));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -144,6 +145,92 @@ TEST(Emulator, StatedUncertaintyIsWhatPredictionsMissBy) {
     EXPECT_NEAR(inside / count, 0.9, 0.07) << repeats << " runs at each place";
     EXPECT_LT(std::sqrt(squares / count), 1.4) << repeats << " runs at each place";
   }
+}
+
+/// Places of a line, each with two seeds.
+struct Repeated {
+  Eigen::MatrixXd inputs, outputs;
+  double variance = 0, noise = 0;  ///< of the emulator's process
+
+  /// `value` at `places` places, with the scatter of a run over seeds.
+  template <class Value>
+  Repeated(Eigen::Index places, double scatter, const Value& value)
+      : inputs(2 * places, 1), outputs(2 * places, 1) {
+    Normal normal(3);
+    for (Eigen::Index k = 0; k < inputs.rows(); ++k) {
+      inputs(k, 0) = static_cast<double>(k / 2) / static_cast<double>(places - 1);
+      outputs(k, 0) = value(k / 2) + scatter * normal();
+    }
+  }
+  void take_process_of(const Emulator& emulator) {
+    noise = emulator.scatter_ratio() * std::pow(std::max(1.0, emulator.left_out_error()), 2);
+    variance = std::pow(emulator.scatter()[0], 2) / noise;
+  }
+};
+
+double matern(double distance) {
+  const double root = std::sqrt(5.0) * distance;
+  return (1 + root + root * root / 3) * std::exp(-root);
+}
+
+/// Error of predicting the mean of two runs from all others, over its standard deviation: the process is
+/// fitted anew to the others, with a constant and a slope.
+double refitted_without(Eigen::Index first, const Repeated& runs, double length) {
+  const Eigen::Index all = runs.inputs.rows();
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < all; ++k)
+    if (k != first && k != first + 1) kept.push_back(k);
+  Eigen::MatrixXd covariance(all, all), trend(all, 2);
+  for (Eigen::Index i = 0; i < all; ++i) {
+    trend.row(i) << 1, runs.inputs(i, 0);
+    for (Eigen::Index j = 0; j < all; ++j)
+      covariance(i, j) = matern(std::abs(runs.inputs(i, 0) - runs.inputs(j, 0)) / length);
+  }
+  covariance.diagonal().array() += runs.noise;
+  const Eigen::MatrixXd inverse = covariance(kept, kept).inverse(),
+                        of_trend = trend(kept, Eigen::all).transpose() * inverse;
+  const Eigen::Matrix2d normal = (of_trend * trend(kept, Eigen::all)).inverse();
+  const Eigen::VectorXd coefficients = normal * of_trend * runs.outputs(kept, 0),
+                        near = covariance(kept, first),
+                        rest = runs.outputs(kept, 0) - trend(kept, Eigen::all) * coefficients,
+                        missing = trend.row(first).transpose() - of_trend * near;
+  const double mean = trend.row(first).dot(coefficients) + near.dot(inverse * rest);
+  const double variance =
+      1 + 0.5 * runs.noise - near.dot(inverse * near) + missing.dot(normal * missing);  // of two runs' mean
+  return (0.5 * (runs.outputs(first, 0) + runs.outputs(first + 1, 0)) - mean) /
+         std::sqrt(runs.variance * variance);
+}
+
+TEST(Emulator, LeavesOutAllRunsOfAPlaceTogether) {
+  // Faster than the shortest correlation length: from its neighbours each place is predicted wrongly.
+  Repeated runs(25, 0.02, [](Eigen::Index place) { return place % 2 == 0 ? 1.0 : -1.0; });
+  const Emulator emulator(runs.inputs, runs.outputs);
+  runs.take_process_of(emulator);
+  double squares = 0;
+  for (Eigen::Index first = 0; first < runs.inputs.rows(); first += 2)
+    squares += std::pow(refitted_without(first, runs, emulator.lengths()[0]), 2);
+  const double refitted = std::sqrt(squares / 25);
+  EXPECT_NEAR(emulator.left_out_error(), refitted, 1e-10 * refitted);
+  EXPECT_GT(emulator.left_out_error(), 1.5);
+  EXPECT_NEAR(emulator.covariance()(0, 0), runs.variance * refitted * refitted,
+              1e-9 * emulator.covariance()(0, 0));
+}
+
+TEST(Emulator, RepeatsAreNoPlacesToSpareForSlopes) {
+  // Six runs at three places: a constant and what varies about it.
+  const Repeated runs(3, 0.01, [](Eigen::Index place) { return 5.0 - 4.0 * static_cast<double>(place); });
+  const Emulator emulator(runs.inputs, runs.outputs);
+  EXPECT_EQ(emulator.freedom(), 2);
+  const double far = emulator.at(Eigen::VectorXd::Constant(1, 100)).mean[0];
+  EXPECT_GT(far, runs.outputs.minCoeff());
+  EXPECT_LT(far, runs.outputs.maxCoeff());
+}
+
+TEST(Emulator, WidensNoLessForFewerDegreesOfFreedom) {
+  for (double freedom = 0; freedom < 20; ++freedom)
+    EXPECT_GE(student_variance(freedom), student_variance(freedom + 1)) << freedom;
+  EXPECT_EQ(student_variance(1), 3);
+  EXPECT_NEAR(student_variance(12), 1.2, 1e-15);
 }
 
 TEST(Emulator, QuantitiesThatRiseTogetherAreUncertainTogether) {

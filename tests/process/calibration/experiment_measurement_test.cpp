@@ -34,13 +34,13 @@ friction = 0.31
     TableReader document(parsed, folder_.path() / "calibration.toml", "");
     return read_measurements(document, {folder_.path() / "powder.toml"}).at(0);
   }
-  std::string complaint(const std::string& experiment, const std::string& quantity) const {
+  std::string message_of(const std::string& experiment, const std::string& quantity) const {
     try {
       read(experiment, quantity);
     } catch (const SceneError& error) {
       return error.what();
     }
-    return "no complaint";
+    return "no message";
   }
   /// The document of its only run.
   static toml::table scene_of(const Measurement& measurement) {
@@ -62,12 +62,12 @@ friction = 0.31
 
 TEST_F(Experiments, WithoutScenesAreRefused) {
   for (const char* experiment : {"closed_forms", "hopper_design", "wire_sawing"}) {
-    const std::string said = complaint(experiment, "V04");
+    const std::string said = message_of(experiment, "V04");
     EXPECT_NE(said.find("found \"" + std::string(experiment) + "\""), std::string::npos) << said;
     EXPECT_NE(said.find("this experiment runs no scenes, which take a powder"), std::string::npos) << said;
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;
   }
-  EXPECT_NE(complaint("clump_collision", "B01").find("powders of its own"), std::string::npos);
+  EXPECT_NE(message_of("clump_collision", "B01").find("powders of its own"), std::string::npos);
 }
 
 TEST_F(Experiments, TakeTheStartingPowderWithItsWalls) {

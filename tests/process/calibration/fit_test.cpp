@@ -8,6 +8,7 @@
 
 #include "process/calibration/calibration_results.h"
 #include "tests/process/calibration/made_up_runs.h"
+#include "tests/process/calibration/normal.h"
 
 namespace diefill::process::calibration {
 namespace {
@@ -49,6 +50,22 @@ TEST(FittedValues, AValueThatOnlySomeRunsHaveIsFittedFromThese) {
   const auto fit = fit_points(made_up.plan, simulated);
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->region.best[0], 0.4, 0.03);
+}
+
+TEST(FittedValues, FinishedSeedsOfASetWithAFailedRunAreFittedAndTheRemarkSaysSo) {
+  MadeUpCalibration made_up;
+  made_up.add("slit", {4}, 0.1);
+  SimulatedPoints simulated;
+  for (const double x : {0.05, 0.3, 0.5, 0.9}) {
+    add_point(simulated, "start", x, {{10 * x}});
+    simulated.outcomes.back().state = "failed";  // its other seed
+  }
+  const auto fit = fit_points(made_up.plan, simulated);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->region.best[0], 0.4, 0.03);
+  EXPECT_TRUE(has_line(calibration_results(made_up.plan, simulated, fit).remarks,
+                       "4 of 4 sets of parameters have failed runs or runs without a value; their other runs "
+                       "are used"));
 }
 
 TEST(FittedValues, TheMeasurementWithTooFewOfThemIsNamed) {
@@ -124,7 +141,7 @@ std::string verdict(double simulated, double lower, double upper) {
   row.name = "die";
   row.unit = "g";
   row.fitted = false;
-  row.data = {{kNoValue, kNoValue, 10, 0.1, simulated, 0.05, 0.05, lower, upper}};
+  row.data = {{kNoValue, kNoValue, 10, 0.1, simulated, 0.05, 0.05, lower, upper, kNoValue, 5}};
   return check_verdict(row);
 }
 
@@ -139,6 +156,59 @@ TEST(CheckVerdict, SaysWhetherTheMeasurementIsPredicted) {
       "that agree)");
   EXPECT_NE(verdict(kNoValue, kNoValue, kNoValue).find("has no value at the best parameters"),
             std::string::npos);
+}
+
+/// A check of so many values, measured with a deviation of 1 g, whose runs at the best powder and at four of
+/// the edge have these seeds and this scatter. All powders are the true one.
+class CheckedTruth {
+ public:
+  CheckedTruth(std::size_t values, std::size_t seeds, double scatter)
+      : values_(values), seeds_(seeds), scatter_(scatter) {
+    made_up_.add("die", std::vector<double>(values, 0), 1, false);
+  }
+  std::string verdict() {
+    for (double& value : made_up_.plan.measurements[0].data.value.values) value = normal_();
+    SimulatedPoints simulated;
+    for (const char* role : {"best", "edge", "edge", "edge", "edge"}) {
+      add_point(simulated, role, 0.4, {{}});
+      for (std::size_t k = 0; k < seeds_; ++k) {
+        std::vector<double> row;
+        for (std::size_t q = 0; q < values_; ++q) row.push_back(scatter_ * normal_());
+        simulated.outcomes.back().values[0].push_back(row);
+      }
+    }
+    results::Calibration account;
+    add_measurements(account, made_up_.plan, simulated, Fit{});
+    return check_verdict(account.measurements.at(0));
+  }
+  /// Share of many checks that are not predicted within their deviation.
+  double share_not_predicted() {
+    constexpr int kTrials = 4000;
+    int missed = 0;
+    for (int trial = 0; trial < kTrials; ++trial)
+      missed += verdict().find("is predicted within its deviation") == std::string::npos ? 1 : 0;
+    return static_cast<double>(missed) / kTrials;
+  }
+
+ private:
+  MadeUpCalibration made_up_;
+  std::size_t values_, seeds_;
+  double scatter_;
+  Normal normal_{5};
+};
+
+TEST(CheckVerdict, ATruePowderMissesInOnePercentOfCasesWhateverTheSeedsScatter) {
+  for (const double scatter : {0.25, 1.0, 4.0})
+    EXPECT_NEAR(CheckedTruth(1, 2, scatter).share_not_predicted(), 0.01, 0.005) << scatter;
+  for (const double scatter : {0.25, 4.0})
+    EXPECT_LT(CheckedTruth(4, 2, scatter).share_not_predicted(), 0.015) << scatter;
+}
+
+TEST(CheckVerdict, SaysThatOneSeedLeavesTheScatterUnknown) {
+  const std::string unknown = "its scatter over seeds is not known and counts as 0";
+  EXPECT_NE(CheckedTruth(1, 1, 0.1).verdict().find(unknown), std::string::npos);
+  EXPECT_NE(CheckedTruth(1, 1, 1000).verdict().find(unknown), std::string::npos);
+  EXPECT_EQ(CheckedTruth(1, 2, 0.1).verdict().find(unknown), std::string::npos);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ class Measurements : public testing::Test {
                   "[[measure.zone]]\nname = \"flange\"\nheights = [\"-5 mm\", \"0 mm\"]\n");
   }
   /// What is said of a [[measurement]] with these lines.
-  std::string complaint(const std::string& lines, const std::string& csv = "") const {
+  std::string message_of(const std::string& lines, const std::string& csv = "") const {
     std::ofstream(folder_.path() / "m.csv") << csv;
     const toml::table parsed = toml::parse("[[measurement]]\nname = \"a\"\nscene = \"scene.toml\"\n" + lines);
     try {
@@ -29,10 +29,10 @@ class Measurements : public testing::Test {
     } catch (const SceneError& error) {
       return error.what();
     }
-    return "no complaint";
+    return "no message";
   }
   void expect(const std::string& lines, const std::string& part, const std::string& csv = "") const {
-    const std::string said = complaint(lines, csv);
+    const std::string said = message_of(lines, csv);
     EXPECT_NE(said.find(part), std::string::npos) << said;
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;
   }
@@ -45,7 +45,7 @@ TEST_F(Measurements, OfFiguresThatTheSceneHasAreRead) {
   for (const char* figure :
        {"mass_share_in_flange", "solid_fraction_in_flange", "cavity_2_solid_fraction_mean",
         "cavity_3_mass_share_in_flange", "solid_fraction"})
-    EXPECT_EQ(complaint("figure = \"" + std::string(figure) + "\"\n" + one), "no complaint") << figure;
+    EXPECT_EQ(message_of("figure = \"" + std::string(figure) + "\"\n" + one), "no message") << figure;
 }
 
 TEST_F(Measurements, OfOtherFiguresAreRefusedWithThoseThatThereAre) {
@@ -63,8 +63,8 @@ TEST_F(Measurements, WithImpossibleValuesAreRefused) {
          "value: point 1: found value -12 g, allowed: 0 g or more");
   expect("figure = \"mass_share_in_flange\"\nvalue = \"35\"\ndeviation = \"1\"\n",
          "found value 35, allowed: 0 to 1");
-  EXPECT_EQ(complaint("figure = \"mass_share_in_flange\"\nvalue = \"35 %\"\ndeviation = \"1 %\"\n"),
-            "no complaint");
+  EXPECT_EQ(message_of("figure = \"mass_share_in_flange\"\nvalue = \"35 %\"\ndeviation = \"1 %\"\n"),
+            "no message");
   expect(
       "kind = \"profile\"\nprofile = \"solid fraction\"\nat = [\"1 mm\"]\nvalues = [\"3\"]\ndeviations = "
       "\"0.1\"\n",
@@ -81,11 +81,11 @@ TEST_F(Measurements, OfMoreValuesThanAFitCanTakeAreRefused) {
          "grid, no finer than the averaging width",
          csv);
   // One to fit has to be there; a map for checking may have any number of values.
-  EXPECT_EQ(complaint("figure = \"solid_fraction\"\nvalue = \"0.3\"\ndeviation = \"0.01\"\n[[measurement]]\n"
-                      "name = \"b\"\nscene = \"scene.toml\"\nuse = \"check\"\n" +
-                          map,
-                      csv),
-            "no complaint");
+  EXPECT_EQ(message_of("figure = \"solid_fraction\"\nvalue = \"0.3\"\ndeviation = \"0.01\"\n[[measurement]]\n"
+                       "name = \"b\"\nscene = \"scene.toml\"\nuse = \"check\"\n" +
+                           map,
+                       csv),
+            "no message");
 }
 
 TEST_F(Measurements, OfALevelOverSectorsWithoutPowderAreZeroThere) {
@@ -105,16 +105,16 @@ TEST_F(Measurements, OfProfilesAndMapsThatNoResultHasAreRefused) {
       "at = [\"1 mm\", \"2 mm\"]\nvalues = [\"3 mm\", \"4 mm\"]\ndeviations = \"1 mm\"\n";
   const std::string profile = "kind = \"profile\"\nprofile = ",
                     map = "kind = \"map\"\nfile = \"m.csv\"\nmap = ";
-  EXPECT_EQ(complaint(profile + "\"fill level\"\n" + lists), "no complaint");
+  EXPECT_EQ(message_of(profile + "\"fill level\"\n" + lists), "no message");
   expect(profile + "\"fill levl\"\n" + lists, "profile: found \"fill levl\", allowed: \"fill level\"");
   expect(profile + "\"fill levl\"\n" + lists, "did you mean \"fill level\"?");
   expect(profile + "\"fill level over azimuth\"\n" + lists, "allowed: a unit such as \"deg\"");
   const std::string csv = "x [mm], y [mm], solid fraction [1], deviation [1]\n1, 2, 0.3, 0.01\n";
-  EXPECT_EQ(complaint(map + "\"solid fraction\"\n", csv), "no complaint");
+  EXPECT_EQ(message_of(map + "\"solid fraction\"\n", csv), "no message");
   // A name of the plant's own, and deviations in the last column.
-  EXPECT_EQ(
-      complaint(map + "\"solid fraction\"\n", "azimuth [deg], height [mm], CT [1], s [1]\n1, 2, 0.3, 0.01\n"),
-      "no complaint");
+  EXPECT_EQ(message_of(map + "\"solid fraction\"\n",
+                       "azimuth [deg], height [mm], CT [1], s [1]\n1, 2, 0.3, 0.01\n"),
+            "no message");
   expect(map + "\"nothing\"\n", "map: found \"nothing\", allowed: \"solid fraction\", \"fill level\"", csv);
   expect(map + "\"fill level\"\n", "column of values: found \"solid fraction\", allowed: \"fill level\"",
          csv);

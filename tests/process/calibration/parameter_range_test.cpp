@@ -15,13 +15,13 @@ std::vector<ParameterRange> read(const std::string& text) {
   return read_parameters(document);
 }
 
-std::string complaint(const std::string& text) {
+std::string message_of(const std::string& text) {
   try {
     read(text);
   } catch (const SceneError& error) {
     return error.what();
   }
-  return "no complaint";
+  return "no message";
 }
 
 const std::string kFriction = "[[parameter]]\nkey = \"powder.friction\"\nfrom = 0.2\nto = 1.0\n";
@@ -40,30 +40,31 @@ TEST(ParameterRange, LinearAndLogarithmicRangesRunFromEndToEnd) {
 }
 
 TEST(ParameterRange, FaultsAreNamedWithTheirPlace) {
-  EXPECT_NE(complaint("").find("expected a [[parameter]]"), std::string::npos);
-  EXPECT_NE(complaint(kFriction + kFriction).find("give each key once"), std::string::npos);
+  EXPECT_NE(message_of("").find("expected a [[parameter]]"), std::string::npos);
+  EXPECT_NE(message_of(kFriction + kFriction).find("give each key once"), std::string::npos);
   EXPECT_NE(
-      complaint("[[parameter]]\nkey = \"step.1.velocity\"\nfrom = 1\nto = 2\n").find("a key of [powder]"),
+      message_of("[[parameter]]\nkey = \"step.1.velocity\"\nfrom = 1\nto = 2\n").find("a key of [powder]"),
       std::string::npos);
   EXPECT_NE(
-      complaint("[[parameter]]\nkey = \"powder.friction\"\nfrom = 1\nto = 1\n").find("more than \"from\""),
+      message_of("[[parameter]]\nkey = \"powder.friction\"\nfrom = 1\nto = 1\n").find("more than \"from\""),
       std::string::npos);
-  EXPECT_NE(complaint("[[parameter]]\nkey = \"powder.friction\"\nfrom = 0\nto = 1\nscale = \"logarithmic\"\n")
-                .find("begins above 0"),
-            std::string::npos);
-  EXPECT_NE(complaint("[[parameter]]\nkey = \"powder.grain_mass\"\nfrom = \"1 mg\"\nto = \"2 mm\"\n")
+  EXPECT_NE(
+      message_of("[[parameter]]\nkey = \"powder.friction\"\nfrom = 0\nto = 1\nscale = \"logarithmic\"\n")
+          .find("begins above 0"),
+      std::string::npos);
+  EXPECT_NE(message_of("[[parameter]]\nkey = \"powder.grain_mass\"\nfrom = \"1 mg\"\nto = \"2 mm\"\n")
                 .find("does not have the dimension of"),
             std::string::npos);
-  EXPECT_NE(complaint("[[parameter]]\nkey = \"powder.friction\"\nfrom = 0\nto = 1\nscale = \"logaritmic\"\n")
+  EXPECT_NE(message_of("[[parameter]]\nkey = \"powder.friction\"\nfrom = 0\nto = 1\nscale = \"logaritmic\"\n")
                 .find("calibration.toml:5"),
             std::string::npos);
-  EXPECT_NE(complaint("[[parameter]]\nkey = \"powder.friction\"\nfrom = 0\n").find("to"), std::string::npos);
+  EXPECT_NE(message_of("[[parameter]]\nkey = \"powder.friction\"\nfrom = 0\n").find("to"), std::string::npos);
 }
 
 TEST(ParameterRange, AKeyThatBringsAValueOrACommentAlongIsRefused) {
   for (const char* key : {"powder.friction = 3 #", "powder.friction #", "powder.friction, x", "powder."}) {
     const std::string message =
-        complaint(std::string("[[parameter]]\nkey = \"") + key + "\"\nfrom = 0.2\nto = 1.0\n");
+        message_of(std::string("[[parameter]]\nkey = \"") + key + "\"\nfrom = 0.2\nto = 1.0\n");
     EXPECT_NE(message.find("calibration.toml:2"), std::string::npos) << message;
     EXPECT_NE(message.find(std::string("found \"") + key + '"'), std::string::npos) << message;
     EXPECT_NE(message.find("the path of a key alone"), std::string::npos) << message;

@@ -202,6 +202,28 @@ TEST(ExpectedImprovement, IsZeroAtSafePlacesAndThatOfANormalErrorElsewhere) {
   EXPECT_NEAR(expected_improvement(likelihood, best, 50), 50, 5);  // certain to fall by nearly all of it
 }
 
+TEST(MisfitScatter, OfQuantitiesThatScatterTogetherIsThatOfTheirSum) {
+  constexpr Eigen::Index kQuantities = 9;
+  const Eigen::MatrixXd places = space_filling(12, 2, 1).replicate(2, 1);
+  Normal normal(3);
+  const Eigen::MatrixXd one = simulated_at(places, 0.1, normal).leftCols(1);
+  const auto alone = std::make_shared<Emulator>(places, one),
+             together = std::make_shared<Emulator>(places, one.replicate(1, kQuantities));
+  const Eigen::VectorXd measured = Eigen::VectorXd::Constant(kQuantities, 7),
+                        deviation = Eigen::VectorXd::Constant(kQuantities, 0.3);
+  const Eigen::Vector2d at(0.31, 0.62);
+  const double x = (alone->at(at).mean[0] - 7) / 0.3, s = alone->scatter()[0] / 0.3;
+  const double of_one = std::sqrt(4 * x * x * s * s + 2 * std::pow(s, 4));
+  const Likelihood single({{measured.head(1), deviation.head(1), alone}});
+  EXPECT_NEAR(misfit_scatter(single, at), of_one, 1e-9 * of_one);
+  // The misfit of all is nine times that of one, whatever the seed.
+  const Likelihood curve({{measured, deviation, together}});
+  EXPECT_NEAR(misfit_scatter(curve, at), kQuantities * of_one, 1e-6 * kQuantities * of_one);
+  // As many measurements, each with runs of its own, scatter on their own.
+  std::vector<MeasuredData> apart(kQuantities, {measured.head(1), deviation.head(1), alone});
+  EXPECT_NEAR(misfit_scatter(Likelihood(apart), at), std::sqrt(kQuantities) * of_one, 1e-9 * of_one);
+}
+
 /// A search of the planted parameters from `start` runs on; gives the region and the number of places.
 struct Found {
   Region region;

@@ -1,11 +1,14 @@
 // Folders of jobs: what stands stays, what no longer fits is renamed, and all that a scene needs is there.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <map>
 
 #include "process/compare/backups.h"
 #include "process/compare/job_folder.h"
+#include "process/compare/run_jobs.h"
 #include "process/results/storage/result_file.h"
+#include "process/run/fill_run.h"
 #include "tests/process/wrong_scene.h"
 #include "tests/support/temporary_folder.h"
 
@@ -186,6 +189,22 @@ TEST(JobFolders, RefuseSeedsBeyondTheLargest) {
   }
 }
 
+TEST(RunJobs, AStopSaysHowTheCallerWantsItContinued) {
+  const support::TemporaryFolder folder;
+  const std::atomic<bool> stop = true;
+  JobOptions options;
+  options.stop = &stop;
+  options.show_progress = false;
+  options.to_continue = "add --resume to continue";
+  try {
+    run_jobs(folder.path(), {"title", {"a"}, {{"a", 1, "a/seed-1"}}}, options);
+    ADD_FAILURE() << "not stopped";
+  } catch (const Interrupted& error) {
+    EXPECT_NE(std::string(error.what()).find("1 runs were not started"), std::string::npos) << error.what();
+    EXPECT_TRUE(std::string(error.what()).ends_with("; add --resume to continue")) << error.what();
+  }
+}
+
 results::Comparison comparison_of(const std::vector<std::string>& folders) {
   results::Comparison comparison;
   comparison.variants = {"a"};
@@ -220,6 +239,72 @@ TEST(EarlierTables, AreKeptWhereTheyTellMore) {
   EXPECT_EQ(back_up_earlier_tables(directory, tradeoff), std::nullopt);
   tradeoff.points[0].seeds = 1;
   EXPECT_EQ(back_up_earlier_tables(directory, tradeoff), directory / "previous-3");
+}
+
+TEST(EarlierTables, AForeignFileOfAComparisonsNameIsMoved) {
+  const support::TemporaryFolder folder;
+  const auto& directory = folder.path();
+  folder.write("comparison.csv", "mine");
+  folder.write("comparison.toml", "a scene");
+  EXPECT_EQ(back_up_earlier_tables(directory, comparison_of({"a"})), directory / "previous-1");
+  EXPECT_EQ(contents(directory / "previous-1/comparison.csv"), "mine");
+  EXPECT_TRUE(fs::exists(directory / "comparison.toml"));
+}
+
+TEST(EarlierTables, AreMovedWithChartsAndPagesButNotTheListOfJobs) {
+  const support::TemporaryFolder folder;
+  const auto& directory = folder.path();
+  folder.write("jobs.json", "{}");
+  EXPECT_EQ(back_up_tables(directory), std::nullopt);
+  for (const char* name : {"sheet.json", "sheet.csv", "chart.png", "page.html", "page.pdf"})
+    folder.write(name, name);
+  EXPECT_EQ(back_up_tables(directory), directory / "previous-1");
+  for (const char* name : {"sheet.json", "sheet.csv", "chart.png", "page.html", "page.pdf"}) {
+    EXPECT_FALSE(fs::exists(directory / name)) << name;
+    EXPECT_EQ(contents(directory / "previous-1" / name), name);
+  }
+  EXPECT_TRUE(fs::exists(directory / "jobs.json"));
+}
+
+results::Calibration calibration_of(const std::vector<double>& frictions, bool fitted) {
+  results::Calibration calibration;
+  for (const double friction : frictions)
+    calibration.points.push_back({"start", {friction}, "finished", "", 1, 1});
+  calibration.fitted = fitted;
+  if (fitted) calibration.samples = {{0.5}};
+  return calibration;
+}
+
+TEST(EarlierTables, OfACalibrationAreReplacedByOneWithAllOfIts) {
+  const support::TemporaryFolder folder;
+  const auto& directory = folder.path();
+  EXPECT_EQ(back_up_earlier_tables(directory, calibration_of({0.2}, true)), std::nullopt);
+  results::Calibration earlier = calibration_of({0.2, 0.4}, true);
+  earlier.points.push_back({"best", {0.31}, "finished", "", 1, 1});
+  earlier.points.push_back({"search", {0.5}, "failed", "too soft", 1, 1});
+  results::write_calibration(directory, earlier);
+  EXPECT_EQ(back_up_earlier_tables(directory, calibration_of({0.2, 0.4, 0.6}, true)), std::nullopt);
+  EXPECT_EQ(back_up_earlier_tables(directory, calibration_of({0.2, 0.6}, true)), directory / "previous-1");
+  EXPECT_TRUE(fs::exists(directory / "previous-1/calibration_points.csv"));
+  EXPECT_FALSE(fs::exists(directory / "calibration.csv"));
+}
+
+TEST(EarlierTables, OfACalibrationWithAFitAreKeptWhereTheNewOneHasNone) {
+  const support::TemporaryFolder folder;
+  const auto& directory = folder.path();
+  results::write_calibration(directory, calibration_of({0.2, 0.4}, true));
+  EXPECT_EQ(back_up_earlier_tables(directory, calibration_of({0.2, 0.4}, false)), directory / "previous-1");
+  results::write_calibration(directory, calibration_of({0.2, 0.4}, false));
+  EXPECT_EQ(back_up_earlier_tables(directory, calibration_of({0.2, 0.4}, false)), std::nullopt);
+}
+
+TEST(EarlierTables, AForeignFileOfACalibrationsNameIsMovedAndTheCalibrationFileIsNot) {
+  const support::TemporaryFolder folder;
+  folder.write("calibration.csv", "mine\n");
+  folder.write("calibration.toml", "seed = 1\n");
+  EXPECT_EQ(back_up_earlier_tables(folder.path(), calibration_of({0.2}, true)), folder.path() / "previous-1");
+  EXPECT_EQ(contents(folder.path() / "previous-1/calibration.csv"), "mine\n");
+  EXPECT_TRUE(fs::exists(folder.path() / "calibration.toml"));
 }
 
 }  // namespace

@@ -32,5 +32,12 @@ TEST(Air, SuctionSolvesItsEquation) {
   EXPECT_NEAR(suction_speed(0.05, 0.2, 1e-6), 0.2, 1e-4);  // as a piston in a syringe
 }
 
+TEST(Air, SuctionDrawsNothingThroughAnOpeningThatLetsNoGrainPass) {
+  for (const double flux : {1e-6, 0.1, 1e6}) {
+    EXPECT_EQ(suction_speed(0, 0.2, flux), 0);
+    EXPECT_EQ(suction_speed(0, 0, flux), 0);
+  }
+}
+
 }  // namespace
 }  // namespace diefill::process::continuum

@@ -154,6 +154,18 @@ TEST(KinematicModel, DiffusionLengthHasThePublishedValues) {
     EXPECT_NEAR(length(fraction) / kMm, expected, 6e-4) << fraction;
 }
 
+TEST(KinematicModel, AFittedDiffusionLengthRisesUpToTheDensestPoint) {
+  const LengthOfFraction planted{1e-4, 0.6, 0.55};
+  std::vector<LengthPoint> points;
+  for (const double fraction : {0.40, 0.45, 0.50, 0.55}) points.push_back({fraction, planted(fraction), 1});
+  const LengthOfFraction fitted = fit_length(points);
+  EXPECT_EQ(fitted.peak, 0.55);
+  // B = B_0 / (1 - 0.55 / 0.6) = 12 B_0; n_div is searched in steps of 3.5 % of its excess over 0.55.
+  EXPECT_NEAR(fitted(0.55) / fitted.smallest, 12, 0.5);
+  EXPECT_NEAR(fitted(0.55), planted(0.55), 0.01 * planted(0.55));
+  EXPECT_LT(fitted(0.56), fitted(0.55));
+}
+
 TEST(KinematicModel, RefusesFractionsAtWhichTheDiffusionLengthHasNoValue) {
   EXPECT_THROW(LengthOfFraction{}(-0.1), std::domain_error);
   EXPECT_THROW((LengthOfFraction{1e-4, 0.3, 0.35}(0.32)), std::domain_error);

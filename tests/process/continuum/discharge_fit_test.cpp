@@ -109,9 +109,9 @@ DischargeData orifices(double coefficient, double k, double grain, bool round) {
     DischargePoint point;
     point.width = width * kMm;
     point.length = 33 * kMm;
-    const double felt = point.width - k * grain;
+    const double effective = point.width - k * grain;
     point.value = coefficient * 3000 * std::sqrt(9.81) *
-                  (round ? std::pow(felt, 2.5) : point.length * std::pow(felt, 1.5));
+                  (round ? std::pow(effective, 2.5) : point.length * std::pow(effective, 1.5));
     data.points.push_back(point);
   }
   return data;
@@ -167,6 +167,35 @@ TEST(DischargeFit, APointWithALargeErrorCountsLittle) {
   EXPECT_NEAR(fit_discharge(DischargeLaw::power_law, data).number("n"), 0.20, 1e-3);
   data.points[2].error = 0.01 * data.points[2].value;
   EXPECT_GT(std::abs(fit_discharge(DischargeLaw::power_law, data).number("n") - 0.20), 1e-2);
+}
+
+TEST(DischargeFit, NamesTheColumnThatDoesNotChange) {
+  const auto said = [](DischargeLaw law, const DischargeData& data) -> std::string {
+    try {
+      fit_discharge(law, data);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  const auto expect = [](const std::string& found, const std::string& part) {
+    EXPECT_NE(found.find(part), std::string::npos) << found;
+  };
+  DischargeData data = planted(kSimulatedDischarge);
+  for (auto& point : data.points) point.value = 0.01;
+  expect(said(DischargeLaw::moving_shoe, data), "column mass: all points have 10 g");
+  for (auto& point : data.points) point = data.points.front();
+  expect(said(DischargeLaw::power_law, data), "column speed: all points have the same speed");
+  DischargeData outflow;
+  outflow.density = 3000;
+  for (int k = 0; k < 10; ++k) {
+    DischargePoint point = passage(0, 6 * kMm);
+    point.time = 0.1 + 0.05 * k;
+    outflow.points.push_back(point);
+  }
+  expect(said(DischargeLaw::transient, outflow), "column mass: all points have 0 g");
+  for (auto& point : outflow.points) point.value = 1e-3 * (1 - point.time);
+  expect(said(DischargeLaw::transient, outflow), "no point has more than the first in time");
 }
 
 TEST(DischargeFit, RefusesPointsThatDoNotDetermineIt) {

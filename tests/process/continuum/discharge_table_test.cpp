@@ -10,6 +10,7 @@ namespace diefill::process::continuum {
 namespace {
 
 constexpr CommonToAll kCommon = {3000.0, 6e-3, 33e-3, 32e-3, {}, {}};
+constexpr CommonToAll kCommonOverTime = {3000.0, 6e-3, 33e-3, {}, {}, {}};
 
 class DischargeTable : public testing::Test {
  protected:
@@ -48,16 +49,52 @@ TEST_F(DischargeTable, HasUnitsInItsHeading) {
   EXPECT_NEAR(data.density, 3000, 1e-9);
 }
 
-TEST_F(DischargeTable, ColumnsComeBeforeWhatIsCommon) {
-  const auto data = read_discharge_table(file("speed m/s,mass g,width mm\n0.1,24.5,10\n"),
-                                         DischargeLaw::moving_shoe, kCommon);
-  EXPECT_NEAR(data.points[0].width, 10e-3, 1e-12);
+TEST_F(DischargeTable, RefusesColumnsAndOptionsWithoutAnEffect) {
+  const auto said = [&](const std::string& text, DischargeLaw law, const CommonToAll& common) -> std::string {
+    try {
+      read_discharge_table(file(text), law, common);
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  const auto expect = [&](const std::string& found, const std::string& part) {
+    EXPECT_NE(found.find(part), std::string::npos) << found;
+  };
+  expect(said("speed m/s,mass g,rate_error g/s\n0.1,3,1\n", DischargeLaw::power_law, kCommon),
+         "found column rate_error, which law 5.18 does not take");
+  expect(said("speed m/s,mass g,time s\n0.1,3,1\n", DischargeLaw::moving_shoe, kCommon), "column time");
+  expect(said("speed m/s,mass g,width mm\n0.1,24.5,10\n", DischargeLaw::moving_shoe, kCommon), "--width: ");
+  CommonToAll density;
+  density.density = 3000;
+  const std::string holes = "rate g/s,diameter mm\n3,5\n";
+  EXPECT_EQ(said(holes, DischargeLaw::beverloo_round, density), "none");
+  for (std::optional<double> CommonToAll::*option : {&CommonToAll::width, &CommonToAll::length}) {
+    CommonToAll more = density;
+    more.*option = 0.01;
+    expect(said(holes, DischargeLaw::beverloo_round, more), "law beverloo-round has no ");
+  }
+  expect(said("rate g/s,width mm\n3,5\n", DischargeLaw::beverloo_round, density), "needs diameter");
+  expect(said("time s,mass g\n0,0\n0.1,1\n", DischargeLaw::transient, kCommon), "--shoe-length: ");
+  CommonToAll opened = kCommon;
+  opened.opened = 0.2;
+  expect(said("speed m/s,mass g\n0.1,3\n", DischargeLaw::power_law, opened), "law 5.18 has no times");
+}
+
+TEST_F(DischargeTable, ColumnsHaveTheLimitsOfTheOptions) {
+  CommonToAll common = kCommon;
+  common.density.reset();
+  for (const char* density : {"1e300", "25.1"}) {
+    const std::string said =
+        complaint("speed m/s,mass g,density g/cm^3\n0.1,3," + std::string(density) + "\n", common);
+    EXPECT_NE(said.find("allowed: at most 25000 kg/m^3"), std::string::npos) << said;
+  }
 }
 
 TEST_F(DischargeTable, MayBeAFlowProbesFile) {
   const auto path = file("time s,mass kg,mass rate kg/s\n0,0,0\n0.1,0.001,0.01\n0.2,0.003,0.02\n");
   EXPECT_EQ(law_for_table(path), DischargeLaw::transient);
-  CommonToAll common = kCommon;
+  CommonToAll common = kCommonOverTime;
   common.opened = 0.1;
   const auto data = read_discharge_table(path, DischargeLaw::transient, common);
   ASSERT_EQ(data.points.size(), 2U);
@@ -67,7 +104,7 @@ TEST_F(DischargeTable, MayBeAFlowProbesFile) {
 
 TEST_F(DischargeTable, LeavesOutWhatWasRecordedAfterUntil) {
   const auto path = file("time s,mass kg\n0,0\n0.1,0.001\n0.2,0.003\n0.3,0.005\n0.4,0.005\n");
-  CommonToAll common = kCommon;
+  CommonToAll common = kCommonOverTime;
   common.opened = 0.1;
   common.until = 0.3;
   const auto data = read_discharge_table(path, DischargeLaw::transient, common);
@@ -79,7 +116,7 @@ TEST_F(DischargeTable, LeavesOutWhatWasRecordedAfterUntil) {
 TEST_F(DischargeTable, RefusesAnUntilThatLeavesNothing) {
   const auto path = file("time s,mass kg\n0.1,0.001\n0.2,0.003\n");
   const auto said = [&](std::optional<double> opened, double until, DischargeLaw law) -> std::string {
-    CommonToAll common = kCommon;
+    CommonToAll common = law == DischargeLaw::transient ? kCommonOverTime : kCommon;
     common.opened = opened;
     common.until = until;
     try {

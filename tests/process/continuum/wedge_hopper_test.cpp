@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace diefill::process::continuum {
 namespace {
@@ -53,6 +54,29 @@ TEST(WedgeHopper, RefusesNumbersThatAreNotPositive) {
   none = kPredicted100;
   none.slope = std::nan("");
   EXPECT_THROW(wedge_hopper(none), std::invalid_argument);
+}
+
+/// What is said of a powder with this wall angle.
+std::string refusal(ShearTest test, double wall_angle) {
+  test.wall_angle = wall_angle;
+  try {
+    wedge_hopper(test);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(WedgeHopper, RefusesWallsAlongWhichThePowderDoesNotSlide) {
+  // phi_e is 33.2 deg.
+  EXPECT_EQ(refusal(kPredicted100, 30), "none");
+  for (const double angle : {33.3, 40.0, 89.0})
+    EXPECT_NE(refusal(kPredicted100, angle).find("allowed: less than 33.2 deg"), std::string::npos)
+        << refusal(kPredicted100, angle);
+  // phi_e is 54.4 deg: up to exp(3.75 * 1.01^2.44) = 46.7 deg there is a half angle.
+  EXPECT_EQ(refusal(kMeasured220, 46), "none");
+  EXPECT_NE(refusal(kMeasured220, 48).find("its half angle would be -"), std::string::npos)
+      << refusal(kMeasured220, 48);
 }
 
 }  // namespace

@@ -118,6 +118,21 @@ mass = "20 g"
   EXPECT_FALSE(refilled.powder_limited);
 }
 
+TEST(EstimateAnswer, CountsWhatStepsLetIntoAHalfModelOnce) {
+  const std::string feed = R"([[step]]
+kind = "inflow"
+from = ["11 mm", "-6 mm", "5 mm"]
+to = ["35 mm", "6 mm", "24 mm"]
+mass = "20 g"
+
+[numerics])";
+  const Estimate whole = estimated(kSquare, {{"[numerics]", feed}});
+  const Estimate half = estimated(kSquare, {{"[numerics]", "[economy]\nmirror = \"y\"\n\n" + feed}});
+  EXPECT_NEAR(whole.powder.let_in, 0.02, 1e-12);
+  EXPECT_NEAR(half.powder.let_in, 0.02, 1e-12);
+  EXPECT_NEAR(half.powder.in_shoe, whole.powder.in_shoe, 1e-9 * whole.powder.in_shoe);
+}
+
 TEST(EstimateAnswer, TellsOfTheGrainsAndOfThePowdersOwnParticles) {
   const Estimate found = estimated(kSquare);
   const OpeningEstimate& cavity = found.openings.at(0);

@@ -76,6 +76,12 @@ TEST_F(FittedDischarge, SaysThatItsOpeningsCountAsTheyAre) {
       std::string::npos);
 }
 
+TEST_F(FittedDischarge, PassesOnWhatTheFitRemarksOn) {
+  const PowderDischarge law = read(slit(
+      R"(}, "effective_opening_grain_diameter_m": 0.001, "remarks": ["C = 2e-10: check the units", 3])"));
+  EXPECT_NE(law.remark.find("fit.json says: C = 2e-10: check the units"), std::string::npos) << law.remark;
+}
+
 TEST_F(FittedDischarge, GrainsAsItWasMeasuredWithFeelOpeningsAsItSays) {
   const std::string grain = R"(, "effective_opening_grain_diameter_m": 0.001)";
   for (const auto& [more, annulus] : {std::pair{"}" + grain, 1.4},

@@ -169,6 +169,21 @@ TEST(Summary, TakesTheSurfaceFromTheNeighbourhood) {
   EXPECT_EQ(summarise(near, all(near), {}).grains, 6u + 3u);
 }
 
+TEST(Summary, TakesTheSurfaceAcrossAPeriodicBoundary) {
+  // The tall column lies within d of the low one through the boundary at 3.
+  for (const bool along_x : {true, false}) {
+    results::PowderState powder = column(-2.5, 8), low = column(2.5, 3);
+    if (!along_x)
+      for (auto* each : {&powder, &low})
+        for (auto& place : each->position) place = {0, place.x(), place.z()};
+    powder.position.insert(powder.position.end(), low.position.begin(), low.position.end());
+    const auto fraction = fraction_of(powder, [](const auto&) { return 0.5; });
+    EXPECT_EQ(summarise(powder, fraction, {}).grains, 6u + 1u);
+    powder.period[along_x ? 0 : 1] = 6;
+    EXPECT_EQ(summarise(powder, fraction, {}).grains, 6u + 3u);
+  }
+}
+
 TEST(Summary, OfNothingIsNoNumber) {
   const results::PowderState powder = column(0, 2);
   const auto summary = summarise(powder, fraction_of(powder, [](const auto&) { return 0.5; }), {});

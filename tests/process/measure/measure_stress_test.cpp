@@ -58,8 +58,30 @@ TEST(StressField, AgitatedGrainsPressAsAGasDoes) {
     for (int axis = 0; axis < 3; ++axis) velocity[axis] = random() % 2 == 0 ? kSpeed : -kSpeed;
   const double mass = result.powder.grain_mass, volume = result.solid_fraction.cell_volume[0];
   const double gas = mass * kSpeed * kSpeed / volume;
-  // Some forty grains make up the mean velocity, so that it takes part in the agitation a little.
   EXPECT_NEAR(StressField(result, kWidth).pressure(Eigen::Vector3d::Zero()), gas, 0.05 * gas);
+}
+
+// Of independent velocities, whether nine grains or many make up the mean velocity around each.
+TEST(StressField, KineticStressIsThatOfIndependentVelocitiesAtAnyWidth) {
+  auto powder = powder_of(block(13, kDiameter));
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> speed(0, 0.3);  // m/s
+  for (auto& velocity : powder.velocity) velocity = {1 + speed(random), speed(random), speed(random)};
+  for (const double width : {0.5 * kDiameter, kDiameter, 2 * kDiameter}) {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const auto& stress : motion_stress_times_volume(powder, width))
+      mean -= stress / (powder.grain_mass * static_cast<double>(powder.position.size()));
+    for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(mean[axis], 0.09, 0.1 * 0.09) << width;
+  }
+}
+
+TEST(StressField, AGrainWithoutNeighboursHasNoKineticStress) {
+  auto powder = powder_of({{0, 0, 0}, {0.1, 0, 0}});
+  powder.velocity = {{1, 2, 3}, {-1, 0, 0}};
+  for (const auto& stress : motion_stress_times_volume(powder, kWidth)) EXPECT_EQ(stress.norm(), 0);
+  powder.period = {0.1, 0.1, 0};  // its own images do not count, the other grain's do
+  powder.position[1] = {0.0995, 0, 0};
+  EXPECT_NEAR(motion_stress_times_volume(powder, kWidth)[0].x(), -powder.grain_mass * 4 / 2, 1e-18);
 }
 
 TEST(StressField, SaysThatOlderResultsHoldNone) {

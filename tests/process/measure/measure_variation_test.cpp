@@ -74,6 +74,24 @@ TEST(Coordination, CubicLatticeHasSixNeighboursInside) {
   EXPECT_EQ(coordination_numbers(powder_of(places, 0.99))[13], 0);
 }
 
+TEST(Coordination, PeriodicLatticeHasSixNeighboursEverywhere) {
+  std::vector<Eigen::Vector3d> places;
+  for (int n = 0; n < 27; ++n) places.emplace_back(n % 3 - 1, n / 3 % 3 - 1, n / 9);
+  auto powder = powder_of(places, 1.0);
+  powder.period = {3, 3, 0};
+  const auto numbers = coordination_numbers(powder);
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    EXPECT_EQ(numbers[k], k / 9 == 1 ? 6 : 5) << k;      // the layers at the bottom and on top end there
+  for (auto& place : powder.position) place.x() += 1.2;  // as grains that have left the box
+  EXPECT_EQ(coordination_numbers(powder), numbers);
+}
+
+TEST(Coordination, AGrainDoesNotTouchItselfAcrossThePeriod) {
+  auto powder = powder_of({{0, 0, 0}, {0, 0, 1}}, 1.0);
+  powder.period = {1, 1, 0};
+  EXPECT_EQ(coordination_numbers(powder), (std::vector<int>{1, 1}));
+}
+
 TEST(Coordination, SeveralContactsOfTwoGrainsCountOnce) {
   auto powder = powder_of({{0, 0, 0}, {0, 1, 0}}, 1.0);
   powder.sphere_offsets = {{0, 0, 0}, {1, 0, 0}};

@@ -75,6 +75,38 @@ TEST_F(CompareWithMeasured, AProfileGivesDifferenceAndCorrelationInAllAndByQuart
   EXPECT_NEAR(zone(comparison, "azimuth 270 to 360 deg").rms, 0.2, 1e-9);
 }
 
+TEST_F(CompareWithMeasured, AzimuthsFromMinus180DegreesAreThoseOfTheSameSectors) {
+  // The level of the sector at 225 and at 315 degrees, then in the closed map at 270 degrees.
+  const auto profile = against("azimuth [deg], fill level [mm]\n-135, 12.25\n-45, 13.15\n45, 10.45\n");
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(profile.simulated[k], profile.measured[k], 1e-9) << k;
+  const auto map = against("azimuth [deg], height [mm], solid fraction [1]\n-90, 10, 0.337\n90, 10, 0.319\n");
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(map.simulated[k], map.measured[k], 1e-9) << k;
+}
+
+TEST_F(CompareWithMeasured, AzimuthsInAnyUnitHaveQuarters) {
+  for (const std::string data : {"[°], fill level [mm]\n-45, 13\n45, 10\n135, 11\n",
+                                 "[rad], fill level [mm]\n-0.7854, 13\n0.7854, 10\n2.356, 11\n"}) {
+    const auto comparison = against("azimuth " + data);
+    EXPECT_EQ(zone(comparison, "azimuth 0 to 90 deg").measured, 10) << data;
+    EXPECT_EQ(zone(comparison, "azimuth 90 to 180 deg").measured, 11) << data;
+    EXPECT_EQ(zone(comparison, "azimuth 270 to 360 deg").measured, 13) << data;
+  }
+}
+
+TEST_F(CompareWithMeasured, DataThatAreConstantHaveNoCorrelation) {
+  std::string csv = "azimuth [deg], fill level [mm]\n";
+  for (int k = 0; k < 29; ++k) csv += std::to_string(5 + 10 * k) + ", 15.1\n";
+  EXPECT_TRUE(std::isnan(zone(against(csv), "all").correlation));
+}
+
+TEST_F(CompareWithMeasured, AMisspeltProfileIsNamedWithTheNearest) {
+  EXPECT_NE(complaint("azimuth [deg], fill levl [mm]\n45, 9\n")
+                .find("level.csv:1:16: found \"fill levl\", of which the result has no profile; did you mean "
+                      "\"fill level\"?"),
+            std::string::npos)
+      << complaint("azimuth [deg], fill levl [mm]\n45, 9\n");
+}
+
 TEST_F(CompareWithMeasured, AMapHasTheZonesOfTheSceneThatItsCoordinatesTellApart) {
   std::string csv = "azimuth [deg], height [mm], solid fraction [1], deviation [1]\n";
   for (const double height : {2.0, 10.0, 18.0})

@@ -95,6 +95,52 @@ TEST_F(MeasuredCsv, EachFaultIsNamedInOneLineWithItsLine) {
   EXPECT_EQ(complaint(""), "data.csv: found no measured values");
 }
 
+TEST_F(MeasuredCsv, AzimuthsOfOneDirectionAreOnePlace) {
+  const std::string twice = "this place is given twice (azimuths count modulo 360 deg)";
+  const std::string head = "azimuth [deg],level [mm],s [mm]\n";
+  EXPECT_NE(complaint(head + "0,2,1\n10,3,1\n360,3,1\n").find("data.csv:4: " + twice), std::string::npos);
+  EXPECT_NE(complaint(head + "-10,2,1\n350,3,1\n").find(twice), std::string::npos);
+  EXPECT_NE(complaint("azimuth [rad],level [mm],s [mm]\n0,2,1\n6.283185307179586,3,1\n").find(twice),
+            std::string::npos);
+  EXPECT_NE(complaint("azimuth [deg],height [mm],f [1],s [1]\n-90,1,0.3,0.1\n270,1,0.4,0.1\n", 2).find(twice),
+            std::string::npos);
+  EXPECT_EQ(read(head + "-180,2,1\n0,3,1\n179,3,1\n").size(), 3U);
+  // Other coordinates do not return to where they began.
+  EXPECT_EQ(read("speed [deg/s],level [mm],s [mm]\n0,2,1\n360,3,1\n").size(), 2U);
+}
+
+// As maps from 0 to 360 deg have it.
+TEST_F(MeasuredCsv, TheEndOfAFullTurnThatRepeatsItsBeginningCountsOnce) {
+  EXPECT_EQ(read("azimuth [deg],level [mm],s [mm]\n0,2,1\n180,3,1\n360,2,1\n").size(), 2U);
+  const MeasuredTable map = read(
+      "azimuth [deg],height [mm],f [1],s [1]\n0,1,0.3,0.1\n360,1,0.3,0.1\n90,1,0.2,0.1\n"
+      "0,2,0.4,0.1\n360,2,0.4,0.1\n",
+      2);
+  EXPECT_EQ(map.value.values, (std::vector<double>{0.3, 0.2, 0.4}));
+  EXPECT_EQ(map.lines, (std::vector<int>{2, 4, 5}));
+}
+
+TEST_F(MeasuredCsv, AzimuthsBeyondTwoTurnsAreRefused) {
+  const std::string head = "azimuth [deg],level [mm],s [mm]\n";
+  EXPECT_EQ(complaint(head + "1e9,2,1\n"),
+            "data.csv:2: found azimuth 1e+09 deg, allowed: -360 to 720 deg; check the number and its unit");
+  for (const char* azimuth : {"1e300", "-361", "721"})
+    EXPECT_NE(complaint(head + azimuth + ",2,1\n").find("allowed: -360 to 720 deg"), std::string::npos);
+}
+
+TEST_F(MeasuredCsv, DeviationsFarFromTheValuesAreRefused) {
+  const std::string head = "speed [m/s],angle [deg],s [deg]\n0.1,30,2\n";
+  for (const std::string deviation : {"3e-300", "2.9e-8", "3.1e10", "3e300"})
+    EXPECT_NE(complaint(head + "0.2,10," + deviation + "\n")
+                  .find(" deg, allowed: 3e-08 to 3e+10 deg, which is 1e-9 to 1e9 times the largest value"),
+              std::string::npos)
+        << complaint(head + "0.2,10," + deviation + "\n");
+  EXPECT_NE(complaint(head + "0.2,10,3e-300\n").find("data.csv:3: the standard deviation is 3e-300 deg"),
+            std::string::npos);
+  EXPECT_EQ(read("value [g],s [g]\n0,0.1\n", 0).size(), 1U);
+  EXPECT_NE(complaint("value [g],s [g]\n0,3e-300\n", 0).find("allowed: 1e-30 to 1e+30 g"), std::string::npos);
+}
+
 /// What is said of an inline measurement.
 std::string inline_complaint(const std::string& text, std::size_t places) {
   const toml::table parsed = toml::parse(text);

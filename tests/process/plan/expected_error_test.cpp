@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "process/plan/grain_size_trends.h"
@@ -39,7 +40,7 @@ std::vector<Run> runs_of(const std::string& cavity, const std::string& powder, s
 }
 
 struct Line {
-  double limit = 0, slope = 0, scatter = 0;
+  double limit = 0, slope = 0, scatter = 0, slope_error = 0;
 };
 
 Line line_through(const std::vector<Run>& runs, double Run::*figure) {
@@ -53,9 +54,10 @@ Line line_through(const std::vector<Run>& runs, double Run::*figure) {
     xx += (run.share - x) * (run.share - x);
     xy += (run.share - x) * (run.*figure - y);
   }
-  Line line{y - xy / xx * x, xy / xx, 0};
+  Line line{y - xy / xx * x, xy / xx, 0, 0};
   for (const Run& run : runs) left += std::pow(run.*figure - line.limit - line.slope * run.share, 2);
   line.scatter = std::sqrt(left / (count - 2));
+  line.slope_error = line.scatter / std::sqrt(xx);
   return line;
 }
 
@@ -72,6 +74,7 @@ TEST(ExpectedError, TrendsAreThoseOfTheTable) {
     const double over = line_through(runs_of(trend.scene, trend.powder, kFilled), &Run::filled).limit;
     EXPECT_NEAR(trend.slope, line.slope / over, 1e-4) << trend.scene << trend.powder << figure;
     EXPECT_NEAR(trend.scatter, line.scatter / over, 1e-4) << trend.scene << trend.powder << figure;
+    EXPECT_NEAR(trend.slope_error, line.slope_error / over, 1e-4) << trend.scene << trend.powder << figure;
     EXPECT_LT(trend.finest, trend.coarsest);
   }
 }
@@ -99,6 +102,46 @@ TEST(ExpectedError, GrowsWithTheGrainSizeUpToTheCoarsestThatWasRun) {
   EXPECT_TRUE(error_of(fine, "mean solid fraction"));
   EXPECT_TRUE(expected_errors(powder, 0.9 * width, {width}).empty());
   EXPECT_TRUE(expected_errors(powder, 1e-3, {}).empty());  // no cavity, no published bed
+}
+
+// In a square of 8 mm, where coarse grains leave too few cells for a mean solid fraction (0.33 is the
+// coarsest).
+TEST(ExpectedError, OfTheMeanSolidFractionGrowsBeyondTheCoarsestGrainsThatHaveIt) {
+  const PowderSpec powder = powder_preset("Distaloy AE");
+  const auto mean_at = [&](double diameter) {
+    return *error_of(expected_errors(powder, diameter, {8e-3}), "mean solid fraction");
+  };
+  const double line = std::hypot(-0.0899, 0.1105);  // of the square with walls of triangles
+  for (const double diameter : {1.88e-3, 2.64e-3, 8e-3 / 3, 2.993e-3, 3.8e-3})
+    EXPECT_NEAR(mean_at(diameter).error, line * diameter / 8e-3, 1e-12) << diameter;
+  EXPECT_EQ(mean_at(8e-3 / 3).extrapolated_beyond, 0) << "a third counts as 0.33";
+  EXPECT_EQ(mean_at(2.993e-3).extrapolated_beyond, 0.33);
+  EXPECT_NE(mean_at(2.993e-3).source.find("square (mesh), extrapolated beyond d/b = 0.33 (process"),
+            std::string::npos)
+      << mean_at(2.993e-3).source;
+  EXPECT_TRUE(expected_errors(powder, 4e-3, {8e-3}).empty()) << "coarser than any that was run";
+}
+
+TEST(ExpectedError, NeverFallsAsGrainsGetCoarser) {
+  const SceneLengths scenes[] = {{1, 0, 0, false}, {0, 1, 0, false}, {0, 0, 1, true}};
+  PowderSpec unknown = powder_preset("Distaloy AE");
+  unknown.friction = 0.1;
+  for (const PowderSpec& powder :
+       {powder_preset("Distaloy AE"), powder_preset("ASC100.29 D2"), powder_preset("ASC100.29 D1"), unknown})
+    for (const SceneLengths& lengths : scenes) {
+      std::map<std::string, double> before;
+      for (double share = 0.005; share < 0.4944; share += 0.001)
+        for (const ExpectedError& error : expected_errors(powder, share, lengths)) {
+          if (error.quantity == "settled solid fraction") continue;  // of a bed, whatever the length
+          EXPECT_GE(error.error, before[error.quantity]) << powder.name << error.quantity << share;
+          before[error.quantity] = error.error;
+        }
+      EXPECT_FALSE(before.empty());
+      if (lengths.cavity > 0) {
+        EXPECT_EQ(before.size(), 3U);
+        EXPECT_EQ(expected_errors(powder, 0.494, lengths).size(), 3U);
+      }
+    }
 }
 
 TEST(ExpectedError, OfAnotherPowderIsTheLargestOfAll) {
@@ -160,6 +203,7 @@ TEST(ExpectedError, TrendsOfScenesWithoutACavityAreThoseOfTheirTable) {
     const Line line = line_through(runs, &Run::value);
     EXPECT_NEAR(trend.slope, line.slope / line.limit, 1e-4) << trend.scene << trend.powder << trend.figure;
     EXPECT_NEAR(trend.scatter, line.scatter / line.limit, 1e-4) << trend.scene << trend.powder;
+    EXPECT_NEAR(trend.slope_error, line.slope_error / line.limit, 1e-4) << trend.scene << trend.powder;
   }
 }
 
@@ -177,6 +221,9 @@ TEST(ExpectedError, WithoutACavityIsThatOfTheOpeningOrOfTheBed) {
 TEST(ExpectedError, IsSaidWithItsScatterWhereThatIsKnown) {
   EXPECT_EQ(words_of({{"mass", 0.031, 0.012, ""}, {"bed", 0.04, 0, ""}}),
             "mass 3.1 % (scatter 1.2 %), bed 4 %");
+  EXPECT_EQ(
+      words_of({{"mass", 0.031, 0.012, "", 0.33}, {"bed", 0.04, 0, "", 0.42}}),
+      "mass 3.1 % (scatter 1.2 %, extrapolated beyond d/b = 0.33), bed 4 % (extrapolated beyond d/b = 0.42)");
   EXPECT_EQ(words_of({}), "");
 }
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "process/plan/pilot.h"
 #include "process/plan/pilot_scene.h"
@@ -78,6 +80,51 @@ TEST(PlanForecast, AShareOfTheGrainsStays) {
       "[[step]]\nkind = \"clear\"\nlowest = 0.4\n[[step]]\nkind = \"wait\"\nduration = \"0.5 s\"\n";
   const PlannedScene planned(tables);
   EXPECT_NEAR(timeline(planned.scene, planned.tooling, {}).back().share, 0.4, 1e-9);
+}
+
+/// The share of the poured grains that powder which is let in from the start adds half-way, and at the end.
+std::pair<double, double> shares_of_inflow(const std::string& keys, std::optional<int> mirror = {}) {
+  support::SceneTables tables;
+  tables.steps =
+      "[[step]]\nkind = \"inflow\"\nfrom = [\"19.4 mm\", \"-14.5 mm\", \"0 mm\"]\nto = [\"51.4 "
+      "mm\", \"14.5 mm\", \"110 mm\"]\n" +
+      keys;
+  PlannedScene planned(tables);
+  planned.tooling.mirror = mirror;
+  const auto phases = timeline(planned.scene, planned.tooling, {});
+  EXPECT_EQ(phases.size(), 3U) << keys;
+  EXPECT_EQ(phases[1].kind, PhaseKind::motion);
+  const double poured = static_cast<double>(grains_to_pour(planned.scene)) * mean_grain(planned.scene).mass;
+  return {(phases[1].share - 1) * poured, (phases[2].share - 1) * poured};
+}
+
+TEST(PlanForecast, PowderThatIsLetInGrowsAtItsRate) {
+  const auto by_mass = shares_of_inflow("mass = \"60 g\"\nrate = \"20 g/s\"\n");
+  EXPECT_NEAR(by_mass.first, 0.03, 1e-9);
+  EXPECT_NEAR(by_mass.second, 0.06, 1e-9);
+  const auto by_time = shares_of_inflow("rate = \"20 g/s\"\nuntil = { at = \"0.5 s\" }\n");
+  EXPECT_NEAR(by_time.first, 0.005, 1e-9);
+  EXPECT_NEAR(by_time.second, 0.01, 1e-9);
+  const auto as_room_comes_free = shares_of_inflow("mass = \"60 g\"\n");
+  EXPECT_NEAR(as_room_comes_free.first, 0.03, 1e-9);
+  EXPECT_NEAR(as_room_comes_free.second, 0.06, 1e-9);
+  // Poured are the grains of one half, the inflow's mass is that of both.
+  EXPECT_NEAR(shares_of_inflow("mass = \"60 g\"\nrate = \"20 g/s\"\n", 1).second, 0.03, 1e-9);
+}
+
+TEST(PlanForecast, AFeedLastsItsMassOverItsRate) {
+  support::SceneTables tables;
+  tables.steps = R"([[step]]
+kind = "inflow"
+from = ["19.4 mm", "-14.5 mm", "0 mm"]
+to = ["51.4 mm", "14.5 mm", "110 mm"]
+mass = "33.165 g"
+rate = "3.3165 g/s"
+)";
+  const PlannedScene planned(tables);
+  const auto phases = timeline(planned.scene, planned.tooling, {});
+  ASSERT_GE(phases.size(), 2U);
+  EXPECT_NEAR(phases[1].seconds, 10, 1e-9);
 }
 
 TEST(PlanForecast, WallTimeIsCostTimesSphereSteps) {

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
+#include "process/machine/actions/powder_change.h"
 #include "tests/process/plan/plan_sample.h"
 
 namespace diefill::process::plan {
@@ -39,6 +41,28 @@ TEST(PlanNeeds, WidthPressureAndLaws) {
   EXPECT_TRUE(says(said, "0.42 of it"));
   EXPECT_TRUE(says(said, "300 wall spheres"));
   EXPECT_TRUE(says(said, "a half model is possible"));
+}
+
+TEST(PlanNeeds, StiffnessIsJudgedByTheLargestGravityOfAnyStep) {
+  PlannedScene planned;
+  const double at_once = needs_of(planned.scene, planned.tooling).weight_pressure;
+  PowderChange fall;
+  fall.gravity = Eigen::Vector3d(0, 0, -2 * 9.81);
+  planned.scene.gravity.setZero();
+  planned.scene.steps.push_back(std::make_shared<Change>(fall));
+  const Needs later = needs_of(planned.scene, planned.tooling);
+  EXPECT_NEAR(later.weight_pressure, 2 * at_once, 1e-9 * at_once);
+  EXPECT_TRUE(says(description(later, planned.scene, planned.tooling), "MPa (3000 times as much)"));
+}
+
+TEST(PlanNeeds, WithoutGravityNoLeastStiffnessIsNamed) {
+  PlannedScene planned;
+  planned.scene.gravity.setZero();
+  const Needs needs = needs_of(planned.scene, planned.tooling);
+  EXPECT_EQ(needs.least_modulus, 0);
+  const auto said = description(needs, planned.scene, planned.tooling);
+  EXPECT_TRUE(says(said, "this requires no least E~"));
+  EXPECT_FALSE(says(said, " inf ")) << "E~ over nothing";
 }
 
 TEST(PlanNeeds, TheStepOfWedgedGrainsIsRemarkedUpon) {
@@ -100,16 +124,46 @@ duration = "0.2 s"
   for (const auto& plane : spoilt.planes)
     if (plane.normal[1] > 0.5) {
       found = true;
-      EXPECT_NE(plane.spoiler.find("the motion"), std::string::npos);
+      EXPECT_NE(plane.asymmetry.find("the motion"), std::string::npos);
     }
   EXPECT_TRUE(found);
   tables.steps = support::exchanged(tables.steps, "axis = \"y\"", "axis = \"x\"");
   const PlannedScene along(tables);
   for (const auto& plane : needs_of(along.scene, along.tooling).planes) {
     if (plane.normal[1] > 0.5) {
-      EXPECT_EQ(plane.spoiler, "");
+      EXPECT_EQ(plane.asymmetry, "");
     }
   }
+}
+
+/// What breaks the symmetry across y = 0.
+std::string asymmetry_across_y(const PlannedScene& planned) {
+  for (const auto& plane : needs_of(planned.scene, planned.tooling).planes)
+    if (plane.normal[1] > 0.5) return plane.asymmetry;
+  ADD_FAILURE() << "the tools have that plane";
+  return {};
+}
+
+TEST(PlanNeeds, GravityAcrossThePlaneBreaksTheSymmetry) {
+  PlannedScene planned;
+  planned.scene.gravity = {3, 0, -9};
+  EXPECT_EQ(asymmetry_across_y(planned), "");
+  planned.scene.gravity = {0, 3, -9};
+  EXPECT_EQ(asymmetry_across_y(planned), "gravity");
+  const Needs needs = needs_of(planned.scene, planned.tooling);
+  EXPECT_TRUE(says(description(needs, planned.scene, planned.tooling),
+                   "mirror images across y = 0 mm, but not gravity"));
+}
+
+TEST(PlanNeeds, GravityThatAStepTurnsAcrossThePlaneBreaksTheSymmetry) {
+  PlannedScene planned;
+  PowderChange along, across;
+  along.gravity = Eigen::Vector3d(1, 0, -9);
+  across.gravity = Eigen::Vector3d(0, -1, -9);
+  planned.scene.steps.push_back(std::make_shared<Change>(along));
+  EXPECT_EQ(asymmetry_across_y(planned), "");
+  planned.scene.steps.push_back(std::make_shared<Change>(across));
+  EXPECT_EQ(asymmetry_across_y(planned), "gravity from the step on: change of gravity");
 }
 
 }  // namespace

@@ -234,7 +234,9 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   kept.snapshots[0].taken = 4;
   kept.grains_removed = {3, 4};
   kept.grains_sheared = {3};
-  kept.grains_leaked = 2;
+  kept.leaks = {2, true};
+  kept.warnings.speed = true;
+  kept.warnings.texts = {"a grain was fast", ""};
   write_checkpoint(checkpoint_file(folder_.path()), kept);
   const auto read = read_checkpoint(checkpoint_file(folder_.path()));
   ASSERT_TRUE(read.has_value());
@@ -248,7 +250,11 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   EXPECT_EQ(read->snapshots.at(0).taken, 4U);
   EXPECT_EQ(read->grains_removed, kept.grains_removed);
   EXPECT_EQ(read->grains_sheared, kept.grains_sheared);
-  EXPECT_EQ(read->grains_leaked, 2U);
+  EXPECT_EQ(read->leaks.grains, 2U);
+  EXPECT_TRUE(read->leaks.warned);
+  EXPECT_TRUE(read->warnings.speed);
+  EXPECT_FALSE(read->warnings.overlap);
+  EXPECT_EQ(read->warnings.texts, kept.warnings.texts);
   engine::Simulation resumed(original.settings(), {});
   resumed.restore(read->simulation);
   for (int n = 0; n < 300; ++n) {
@@ -262,6 +268,23 @@ TEST_F(CheckpointFile, IsNothingWhereThereIsNoneAndAnErrorWhereItIsDamaged) {
   EXPECT_FALSE(read_checkpoint(checkpoint_file(folder_.path())).has_value());
   std::ofstream(checkpoint_file(folder_.path())) << "no checkpoint at all";
   EXPECT_THROW(read_checkpoint(checkpoint_file(folder_.path())), results::ResultError);
+}
+
+TEST_F(CheckpointFile, OfTheLayoutBeforeIsRefusedInWords) {
+  const auto file = checkpoint_file(folder_.path());
+  write_checkpoint(file, {});
+  std::string bytes = support::contents(file);
+  ASSERT_EQ(bytes.substr(0, 8), "dfchkp19");
+  folder_.write(file.filename().string(), bytes.replace(7, 1, "8"));
+  try {
+    read_checkpoint(file);
+    FAIL() << "it was read";
+  } catch (const results::ResultError& error) {
+    const std::string message = error.what();
+    for (const char* part :
+         {"checkpoint.bin", "not a checkpoint of this program version", "without --resume"})
+      EXPECT_NE(message.find(part), std::string::npos) << message;
+  }
 }
 
 }  // namespace

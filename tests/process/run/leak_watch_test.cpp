@@ -49,6 +49,16 @@ TEST(LeakWatch, HasNewsOnce) {
   EXPECT_TRUE(watch.warning(100));
 }
 
+TEST(LeakWatch, HasNewsOnceThoughARunIsResumed) {
+  const Tooling tooling = with_cavity();
+  LeakWatch watch(tooling, 1e-3), resumed(tooling, 1e-3);
+  leave(watch, {0.005, 0.005, -0.03}, 50);
+  EXPECT_TRUE(watch.first_warning(100));
+  resumed.restore(watch.state());
+  EXPECT_EQ(resumed.grains(), 50U);
+  EXPECT_FALSE(resumed.first_warning(100));
+}
+
 TEST(LeakWatch, CountsBothHalvesOfAHalfModel) {
   Tooling tooling = with_cavity();
   tooling.mirror = 0;

@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "process/machine/actions/powder_inflow.h"
 #include "process/machine/actions/settle.h"
 #include "process/machine/actions/wait.h"
 #include "process/machine/motions/move.h"
@@ -202,6 +203,22 @@ TEST(Schedule, ForeseesStartsAndEnds) {
   EXPECT_NEAR(plan[4].started, plan[2].ended, 1e-12);  // the settling added at the end waits for all
   EXPECT_FALSE(stages.stays("shoe"));
   EXPECT_TRUE(stages.stays("die"));
+}
+
+TEST(Schedule, ForeseesHowLongPowderIsFed) {
+  PowderInflow inflow;
+  inflow.mass = 33.165e-3;
+  inflow.rate = 3.3165e-3;
+  Scene scene;
+  scene.steps = {std::make_shared<Inflow>(inflow), wait(0.1)};
+  const auto plan = predicted(Stages(scene), 0.25);
+  EXPECT_NEAR(plan[1].ended - plan[1].started, 10, 1e-9);
+  EXPECT_NEAR(plan[2].started, plan[1].ended, 1e-12);
+  // As room becomes free: how long that takes is not known.
+  inflow.rate.reset();
+  scene.steps = {std::make_shared<Inflow>(inflow)};
+  const auto unknown = predicted(Stages(scene), 0.25);
+  EXPECT_NEAR(unknown[1].ended - unknown[1].started, 0.25, 1e-12);
 }
 
 TEST(Snapshots, AreTakenOnceOrAgainAndAgainAndSurviveARestart) {

@@ -47,6 +47,17 @@ TEST(ForeseenWork, GrainsThatNoMemoryHoldsAreCounted) {
                          " GB are available; use grains of 0.", " mm or more (powder.grain_diameter)"});
 }
 
+TEST(ForeseenWork, AHalfModelHasHalfTheGrainsThatAreLetIn) {
+  const std::string feed =
+      "[[step]]\nkind = \"inflow\"\nfrom = [\"20 mm\", \"-10 mm\", \"0 mm\"]\nto = [\"50 mm\", \"10 mm\", "
+      "\"90 "
+      "mm\"]\nmass = \"1000 kg\"\n[[step]]";
+  // 1000 kg / (7.63e-8 kg * 4^3), beside which the 4,500 poured are few.
+  expect_parts(complaint("[[step]]", feed), {"scene.toml: 2.05e+08 grains of "});
+  expect_parts(complaint("[[step]]", "[economy]\nmirror = \"y\"\n" + feed),
+               {"scene.toml: 1.02e+08 grains of "});
+}
+
 TEST(ForeseenWork, SnapshotsWithoutEndAreCounted) {
   expect_parts(complaint("[measure]", "[[snapshot]]\nname = \"s\"\nevery = \"1e-9 s\"\n[measure]"),
                {"snapshot \"s\": every 1e-09 s of 0.25 s makes 2.5e+08 folders",

@@ -67,5 +67,47 @@ TEST(FlowQuantities, AreMissingWithoutPowderLeftOrAnApparentDensity) {
   EXPECT_FALSE(std::isnan(value_of(scene, passed(), "volume_through_slit")));
 }
 
+/// A slice of 10 mm with a zone for all of it and one for 4 mm of it.
+Scene with_zones(double period) {
+  Scene scene;
+  scene.numerics.period[1] = period;
+  scene.text =
+      "[[measure.zone]]\nname = \"upper\"\nheights = [\"0 mm\", \"5 mm\"]\n"
+      "[[measure.zone]]\nname = \"strip\"\nfrom = [\"-9 mm\", \"-1 mm\", \"0 mm\"]\n"
+      "to = [\"9 mm\", \"3 mm\", \"5 mm\"]\n"
+      "[[measure.zone]]\nname = \"hub\"\nouter_radius = \"2 mm\"\n";
+  return scene;
+}
+
+TEST(ZoneQuantities, MassesOfASliceArePerLengthOfTheZoneInIt) {
+  results::FillResult result;
+  result.figures["filled_mass_in_upper_kg"] = 2e-3;
+  result.figures["filled_mass_in_strip_kg"] = 8e-4;
+  result.figures["filled_mass_in_hub_kg"] = 4e-4;
+  result.figures["mass_share_in_upper"] = 0.5;
+  std::string unit;
+  EXPECT_NEAR(value_of(with_zones(0.01), result, "filled_mass_in_upper_kg", &unit), 0.2, 1e-12);
+  EXPECT_EQ(unit, "g/mm");
+  EXPECT_NEAR(value_of(with_zones(0.01), result, "filled_mass_in_strip_kg"), 0.2, 1e-12);
+  EXPECT_NEAR(value_of(with_zones(0.01), result, "filled_mass_in_hub_kg"), 0.1, 1e-12);
+  EXPECT_EQ(value_of(with_zones(0.01), result, "mass_share_in_upper", &unit), 50);
+  EXPECT_EQ(unit, "%");
+  // A slice twice as long holds twice as much of the first zone, and as much of the others.
+  result.figures["filled_mass_in_upper_kg"] = 4e-3;
+  EXPECT_NEAR(value_of(with_zones(0.02), result, "filled_mass_in_upper_kg"), 0.2, 1e-12);
+  EXPECT_NEAR(value_of(with_zones(0.02), result, "filled_mass_in_strip_kg"), 0.2, 1e-12);
+  EXPECT_NEAR(value_of(with_zones(0.02), result, "filled_mass_in_hub_kg"), 0.1, 1e-12);
+}
+
+TEST(ZoneQuantities, MassesOfAWholePartAreMasses) {
+  results::FillResult result;
+  result.figures["filled_mass_in_upper_kg"] = 2e-3;
+  Scene scene = with_zones(0.01);
+  scene.numerics.period[1].reset();
+  std::string unit;
+  EXPECT_NEAR(value_of(scene, result, "filled_mass_in_upper_kg", &unit), 2, 1e-12);
+  EXPECT_EQ(unit, "g");
+}
+
 }  // namespace
 }  // namespace diefill::process

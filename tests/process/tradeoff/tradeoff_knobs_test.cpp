@@ -32,13 +32,13 @@ Scene turned(const Scene& scene, const std::string& knob, const std::string& val
   return setting.variant.scene;
 }
 
-std::string complaint(const std::function<void()>& action) {
+std::string message_of(const std::function<void()>& action) {
   try {
     action();
   } catch (const SceneError& error) {
     return error.what();
   }
-  return "no complaint";
+  return "no message";
 }
 
 void expect_parts(const std::string& message, const std::vector<std::string>& parts) {
@@ -96,7 +96,7 @@ TEST(KnobRegistry, AThinnerSliceTakesThePourAlong) {
   EXPECT_NEAR(work_per_second(half), 0.5 * work_per_second(kept.scene), 0.05 * work_per_second(kept.scene));
   const KeptScene whole(faultless_scene());
   EXPECT_TRUE(knob_called("slice_length").usual(whole.scene).empty());
-  expect_parts(complaint([&] { one_at_a_time(whole.scene, {read_vary("slice_length=9 mm")}, true); }),
+  expect_parts(message_of([&] { one_at_a_time(whole.scene, {read_vary("slice_length=9 mm")}, true); }),
                {"--vary slice_length=9 mm", "not periodic"});
 }
 
@@ -110,12 +110,12 @@ TEST(KnobRegistry, AClumpOfTheScenesOwnHasNoOtherModelsToTry) {
   EXPECT_TRUE(knob.usual(kept.scene).empty());
   EXPECT_EQ(knob.current(kept.scene), "clump");
   for (const KnobValues& values : usual_knobs(kept.scene)) EXPECT_NE(values.knob.name, "grain_model");
-  expect_parts(complaint([&] { one_at_a_time(kept.scene, {read_vary("grain_model=A,B")}, true); }),
+  expect_parts(message_of([&] { one_at_a_time(kept.scene, {read_vary("grain_model=A,B")}, true); }),
                {"--vary grain_model=A", "a clump of its own", "leave out this knob"});
 }
 
 TEST(KeyPaths, APathThatBringsACommentAlongIsNoKnob) {
-  expect_parts(complaint([] { knob_called("# powder.friction"); }),
+  expect_parts(message_of([] { knob_called("# powder.friction"); }),
                {"--vary: found \"# powder.friction\"", "which is not a knob"});
 }
 
@@ -161,13 +161,14 @@ TEST(Vary, IsReadWithListsAndQuotes) {
 }
 
 TEST(Vary, WrongOnesEndInOneLineThatHelps) {
-  expect_parts(complaint([] { read_vary("grain_diameter"); }), {"--vary", "KNOB=VALUE"});
-  expect_parts(complaint([] { read_vary("grain_diameter=1 mm,"); }), {"a value is empty"});
-  expect_parts(complaint([] { read_vary("grain_diametr=1 mm"); }), {"did you mean \"grain_diameter\"?"});
-  expect_parts(complaint([] { read_vary("colour=red"); }), {"\"colour\"", "grain_diameter", "economy.sleep"});
+  expect_parts(message_of([] { read_vary("grain_diameter"); }), {"--vary", "KNOB=VALUE"});
+  expect_parts(message_of([] { read_vary("grain_diameter=1 mm,"); }), {"a value is empty"});
+  expect_parts(message_of([] { read_vary("grain_diametr=1 mm"); }), {"did you mean \"grain_diameter\"?"});
+  expect_parts(message_of([] { read_vary("colour=red"); }),
+               {"\"colour\"", "grain_diameter", "economy.sleep"});
   const KeptScene kept(faultless_scene());
   const auto settings = [&](const std::string& text) {
-    return complaint([&] { one_at_a_time(kept.scene, {read_vary(text)}, true); });
+    return message_of([&] { one_at_a_time(kept.scene, {read_vary(text)}, true); });
   };
   expect_parts(settings("grain_diameter=5 m"),
                {"--vary grain_diameter=5 m", "powder.grain_diameter", "found \"5 m\""});

@@ -96,7 +96,8 @@ TEST_F(MeasuredSection, NoDifferenceIsAGreyReferenceLine) {
 
 TEST_F(MeasuredSection, TheTextForTerminalsHasALineForEachZone) {
   const std::string text = measured_text(level());
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
+  EXPECT_NE(text.find("1 of 4 measured places have no simulated value"), std::string::npos) << text;
   EXPECT_NE(text.find("correlation 0.98"), std::string::npos) << text;
 }
 

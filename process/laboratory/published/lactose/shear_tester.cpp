@@ -3,11 +3,13 @@
 // stresses from the same pre-sheared bed. Spheres of one size; the loose bed is pressed by the head at once.
 // Coarse: a cell of 10 d and 900 spheres; medium: 16 d, 4,000 spheres; published: a quarter of that speed.
 #include <cmath>
+#include <stdexcept>
 
 #include "process/continuum/wedge_hopper.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
 #include "process/laboratory/published/lactose/sheared_bed.h"
+#include "process/results/storage/result_file.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -37,15 +39,20 @@ StressPoint preshear_of(const SeedResults& seed, const ShearedPowder& one) {
   return preshear_of(seed, one.test);
 }
 
+/// Throws results::ResultError where the shear test leads to no hopper.
 continuum::WedgeHopper hopper_of(const SeedResults& seed, const ShearedPowder& one) {
   const YieldLocus locus = locus_of(seed, one);
   const StressPoint steady = preshear_of(seed, one);
-  return continuum::wedge_hopper({.preshear_normal = steady.normal,
-                                  .preshear = steady.shear,
-                                  .slope = locus.slope,
-                                  .cohesion = locus.cohesion,
-                                  .wall_angle = one.wall_angle,
-                                  .bulk_density = 1545 * fraction_of(seed, one.test)});
+  try {
+    return continuum::wedge_hopper({.preshear_normal = steady.normal,
+                                    .preshear = steady.shear,
+                                    .slope = locus.slope,
+                                    .cohesion = locus.cohesion,
+                                    .wall_angle = one.wall_angle,
+                                    .bulk_density = 1545 * fraction_of(seed, one.test)});
+  } catch (const std::invalid_argument& reason) {
+    throw results::ResultError(reason.what());
+  }
 }
 
 using Value = double (*)(const SeedResults&, const ShearedPowder&);

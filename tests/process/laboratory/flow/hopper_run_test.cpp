@@ -31,7 +31,7 @@ TEST(Hopper, PartsOfSpheresBelowTheSlitCount) {
   EXPECT_NEAR(below(-3 * kMm), 1, 1e-12);
 }
 
-TEST(Hopper, LetsPowderOutThroughItsSlitAlone) {
+HopperSetup small_hopper() {
   HopperSetup setup;
   setup.powder = powder_preset("ASC100.29 initial D");
   setup.powder.friction = 0.5;
@@ -42,6 +42,11 @@ TEST(Hopper, LetsPowderOutThroughItsSlitAlone) {
   setup.fill = 44 * kMm;
   setup.from = 44 * kMm;
   setup.to = 24 * kMm;
+  return setup;
+}
+
+TEST(Hopper, LetsPowderOutThroughItsSlitAlone) {
+  const HopperSetup setup = small_hopper();
   double done = 0;
   const auto fields = run_hopper(setup, [&](double share) { done = share; });
   EXPECT_GT(done, 0.9);
@@ -54,6 +59,27 @@ TEST(Hopper, LetsPowderOutThroughItsSlitAlone) {
   EXPECT_NEAR(fields.discharged.front(), 0, 0.01 * setup.fill * setup.width);
   EXPECT_GT(fields.discharged.back(), 0.2 * setup.fill * setup.width);
   EXPECT_GT(fields.outflow, 0);
+}
+
+TEST(Hopper, HasNoOutflowWhereItsLevelNeverCameToTheFieldsOnes) {
+  HopperSetup setup = small_hopper();
+  setup.fill = 30 * kMm;
+  setup.from = 10 * kMm;
+  setup.to = 26 * kMm;
+  const auto fields = run_hopper(setup, [](double) {});
+  ASSERT_FALSE(fields.discharged.empty());
+  EXPECT_EQ(fields.samples, 0U);
+  EXPECT_TRUE(std::isnan(fields.outflow));
+}
+
+TEST(Hopper, MeanOutflowIsThatOfThePackingsThatFlowed) {
+  std::vector<HopperFields> packings(3);
+  packings[0].outflow = 2;
+  packings[1].outflow = std::nan("");
+  packings[2].outflow = 4;
+  EXPECT_DOUBLE_EQ(mean_of(packings).outflow, 3);
+  packings[0].outflow = packings[2].outflow = std::nan("");
+  EXPECT_TRUE(std::isnan(mean_of(packings).outflow));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "process/input/scene_error.h"
 #include "process/laboratory/published/family_tables.h"
 #include "process/laboratory/published/fidelity.h"
+#include "process/laboratory/published/lab_powder.h"
 #include "process/laboratory/published/published_figure.h"
 #include "process/laboratory/published/scene_experiment.h"
 #include "process/scene/scene_text.h"
@@ -96,6 +97,29 @@ TEST(SceneExperiments, TakeAPowderOfTheUsersOwn) {
     EXPECT_DOUBLE_EQ(scene.powder.friction, 0.37) << name;
     EXPECT_NEAR(scene.powder.grain_diameter, 1.2e-3, 1e-9) << name;  // four times its own
   }
+}
+
+const SceneExperiment& experiment_called(const std::string& name) {
+  for (const auto& one : scene_experiments())
+    if (one.name == name) return one;
+  throw std::logic_error("no experiment " + name);
+}
+
+TEST(SceneExperiments, WithPowdersOfTheirOwnRefuseAnother) {
+  const support::TemporaryFolder folder;
+  LabSetting setting;
+  setting.scenes = scenes();
+  EXPECT_NO_THROW(require_use_of_powder(experiment_called("ring_levels"), setting));
+  setting.powder = folder.write("mine.toml", "[powder]\npreset = \"ASC100.29 A2\"\n");
+  EXPECT_NO_THROW(require_use_of_powder(experiment_called("mean_fractions"), setting));
+  for (const char* name : {"ring_levels", "closed_forms", "wire_sawing"}) try {
+      require_use_of_powder(experiment_called(name), setting);
+      FAIL() << name << " took a powder that its runs do not use";
+    } catch (const SceneError& error) {
+      const std::string said = error.what();
+      EXPECT_NE(said.find(std::string("but ") + name + " has powders of its own"), std::string::npos) << said;
+      EXPECT_NE(said.find("slit_flow, shoe_discharge"), std::string::npos) << said;
+    }
 }
 
 TEST(PublishedFigures, AWrongLineIsNamed) {

@@ -1,0 +1,105 @@
+// A run from powder above a plate to its figures: spheres of unlike grains, overlaps, warnings after a
+// restart.
+#include "process/run/fill_run.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/observe/powder_figures.h"
+#include "process/run/assemble.h"
+#include "tests/process/scene_files.h"
+#include "tests/support/scene_text.h"
+
+namespace diefill::process {
+namespace {
+
+/// A plate of 20 x 20 mm, its top at z = 0.
+geometry::Mesh plate() {
+  geometry::Mesh mesh;
+  for (int k = 0; k < 8; ++k)
+    mesh.vertices.emplace_back((k & 1) != 0 ? 0.01 : -0.01, (k & 2) != 0 ? 0.01 : -0.01,
+                               (k & 4) != 0 ? 0 : -0.002);
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+/// About a hundred grains that fall on the plate; `other` are tables beside [powder].
+class OnAPlate {
+ public:
+  explicit OnAPlate(const std::string& powder, const std::string& other = "") {
+    support::SceneTables tables;
+    tables.powder = powder + "\n" + other;
+    tables.pour =
+        "from = [\"-1 mm\", \"-1 mm\", \"0 mm\"]\nto = [\"1 mm\", \"1 mm\", \"5 mm\"]\n"
+        "fill_height = \"1.5 mm\"\n";
+    tables.steps = "[[step]]\nkind = \"wait\"\nduration = \"1 s\"\n";
+    scene = read_scene(folder_.write(support::scene_text(tables)));
+    tooling.tools.resize(1);
+    tooling.tools[0].spec = scene.tools[0];
+    tooling.tools[0].mesh = plate();
+    tooling.tools[0].wall_mesh = plate();
+    tooling.all = tooling.standing = tooling.tools[0].mesh.bounding_box();
+    tooling.standing.include(Eigen::Vector3d(0, 0, 0.05));
+  }
+
+  /// Runs until `max_time` (s), from the checkpoint in the folder if there is one.
+  std::unique_ptr<FillRun> run_until(double max_time) {
+    scene.numerics.max_time = max_time;
+    RunOptions options;
+    options.directory = folder_.path();
+    options.show_progress = false;
+    options.threads = 1;
+    options.resume = true;
+    auto run = std::make_unique<FillRun>(scene, tooling, options);
+    run->run();
+    return run;
+  }
+
+  Scene scene;
+  Tooling tooling;
+
+ private:
+  SceneFolder folder_;
+};
+
+TEST(FillRun, CountsTheSpheresOfEveryGrain) {
+  OnAPlate clumps_and_spheres("preset = \"ASC100.29 D2\"\n",
+                              "[[other_powder]]\nname = \"copper\"\nshare = 0.5\nmodel = \"A\"\n"
+                              "sphere_radius = \"0.1 mm\"\ngrain_mass = \"2.6e-8 kg\"\n");
+  const auto run = clumps_and_spheres.run_until(2e-4);
+  std::size_t spheres = 0;
+  for (std::size_t k = 0; k < run->simulation().grains().size(); ++k)
+    spheres += run->simulation().grains().kind[k] == 0 ? 7 : 1;
+  EXPECT_GT(spheres, run->simulation().grains().size());
+  EXPECT_LT(spheres, 6 * run->simulation().grains().size());
+  EXPECT_EQ(engine::sphere_count(run->simulation()), spheres);
+  EXPECT_EQ(run->sphere_steps(), spheres * run->simulation().steps());
+}
+
+TEST(FillRun, MeasuresTheOverlapOfUnequalSpheresByTheirOwnRadius) {
+  OnAPlate clumps(
+      "spheres = [{ centre = [\"0 mm\", \"0 mm\", \"0 mm\"], radius = \"0.2 mm\" }, { centre = [\"0.2 mm\", "
+      "\"0 mm\", \"0 mm\"], radius = \"0.05 mm\" }]\ngrain_mass = \"1e-7 kg\"\n");
+  const auto run = clumps.run_until(0.015);
+  const engine::DeepestOverlap& deepest = run->simulation().overlaps_of_run();
+  ASSERT_GT(deepest.walls, 0);
+  results::FillResult result;
+  add_margin_figures(result, *run);
+  EXPECT_EQ(result.figures.at("deepest_overlap_ratio"), deepest.grains_over_radius);
+  EXPECT_EQ(result.figures.at("deepest_wall_overlap_ratio"), deepest.walls_over_radius);
+  EXPECT_LT(deepest.walls_over_radius, deepest.walls / 0.05e-3) << "the larger spheres overlap most";
+}
+
+TEST(FillRun, EndsWithTheWarningsOfAnUnbrokenRunAfterARestart) {
+  const std::string soft = "preset = \"ASC100.29 initial A\"\nreduced_modulus = \"0.01 MPa\"\n";
+  OnAPlate unbroken(soft), broken(soft);
+  const auto of_whole_run = unbroken.run_until(0.026)->warnings();
+  ASSERT_EQ(of_whole_run.size(), 2U) << "that it is unfinished, and of an overlap by t = 0.0249969 s";
+  // Where a run stops it looks for itself, before an unbroken one does.
+  for (const double stop : {0.02498, 0.0255})
+    EXPECT_EQ(broken.run_until(stop)->warnings().size(), 2U) << stop;
+  EXPECT_EQ(broken.run_until(0.026)->warnings(), of_whole_run);
+}
+
+}  // namespace
+}  // namespace diefill::process
