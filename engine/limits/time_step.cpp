@@ -14,6 +14,9 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
+/// Overlap of a grain held by others over that of an impact at the highest speed.
+constexpr double kHeldOverlap = 0.1;
+
 /// A sphere that meets another, or a wall.
 class MeetingPair {
  public:
@@ -47,7 +50,7 @@ class MeetingPair {
   double shortest(double speed) const {
     const double overlap = overlap_of_impact(speed);
     // Many contacts share what damping there is: their springs alone.
-    ContactSprings packed = probe_.springs(0.1 * overlap);
+    ContactSprings packed = probe_.springs(kHeldOverlap * overlap);
     packed.damping = packed.sliding_damping = 0;
     return std::min(
         {shortest_at(overlap), step_limit(packed, packed_, kContactsPerGrain), crossing_time(probe_, mass_)});
@@ -119,7 +122,7 @@ double lasting_contact_time_step(const ParticleTypes& types, const ContactLaws& 
                                  const std::vector<WallSurface>& walls, double impact_speed) {
   double longest = kNoLimit;
   visit_pairs_and_walls(types, contact, walls, [&](const MeetingPair& pair) {
-    longest = std::min(longest, pair.lasting_at(pair.overlap_of_impact(impact_speed)));
+    longest = std::min(longest, pair.lasting_at(kHeldOverlap * pair.overlap_of_impact(impact_speed)));
   });
   return longest;
 }

@@ -41,8 +41,8 @@ double critical_time_step(const ParticleTypes& types, const ContactLaws& contact
                           const std::vector<WallSurface>& walls, double impact_speed);
 
 /// Longest stable time step (s) of one contact that lasts: the smallest stable_step() of all pairs of sphere
-/// classes, and of classes at `walls`, at the overlap of an impact at `impact_speed` (m/s), for the normal
-/// spring with its damper and the tangential spring with the damper of sliding, on the masses of
+/// classes, and of classes at `walls`, at a tenth of the overlap of an impact at `impact_speed` (m/s), for
+/// the normal spring with its damper and the tangential spring with the damper of sliding, on the masses of
 /// critical_time_step(). Without springs it is m / c, and without dampers 2 sqrt(m / k); it is never below
 /// sqrt(2) - 1 of critical_time_step(). Throws what making the laws throws.
 double lasting_contact_time_step(const ParticleTypes& types, const ContactLaws& contact,

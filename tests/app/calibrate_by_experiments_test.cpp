@@ -97,7 +97,7 @@ TEST(Calibrate, BadFilesEndInOneLineBeforeAnythingRuns) {
   refused("filled_mass_kg", "filled_mass_kgg", "did you mean \"filled_mass_kg\"?");
   refused("scene.toml", "none.toml", "none.toml");
   refused("powder.friction", "powder.frictoin", "did you mean");
-  refused("to = 1.0", "to = 100", "at \"to\"");
+  refused("to = 1.0", "to = 100", "calibration.toml:4:6: parameter.to: powder.friction: found 100");
   refused("name = \"m\"", "name = \"m\"\nuse = \"check\"", "use = \"fit\"");
   refused("name = \"m\"", "name = \"m\"\nkind = \"figur\"", "figure");
   refused("", "\n[serch]\nseeds = 2\n", "search");

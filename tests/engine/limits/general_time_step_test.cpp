@@ -83,13 +83,23 @@ TEST(GeneralTimeStep, OfALastingContactIsThatOfSpringAndDamperTogether) {
   EXPECT_NEAR(lasting_step(model_b(kRadius, kMass), contact), sliding, 1e-4 * sliding);
 }
 
+TEST(GeneralTimeStep, OfALastingContactIsTakenAtATenthOfTheOverlapOfTheImpact) {
+  constexpr double kModulus = 1e7, kDamping = 3000;
+  const auto law = bierwisch_law({.reduced_modulus = kModulus, .damping = kDamping});
+  const GrainShape shape = model_a(kRadius, kMass);
+  const double root = std::sqrt(0.5 * kRadius * 0.1 * impact_overlap(shape, law, 0.5));
+  const double pair = stable_step(0.5 * kMass, kModulus * root, kDamping * root);
+  EXPECT_NEAR(lasting_step(shape, both(law)), pair, 1e-3 * pair);
+}
+
 TEST(GeneralTimeStep, OfALastingContactIsNeverBelowFourTenthsOfTheCriticalOne) {
-  const GrainShape shape = model_d(kRadius, kMass);
+  LawParameters law;
+  law.normal = LinearNormal::Parameters{500};
   double smallest = 1e300;
-  for (double damping = 1; damping < 1e5; damping *= 1.5) {
-    const auto law = bierwisch_law({.reduced_modulus = 1e7, .damping = damping});
-    const double share = lasting_step(shape, both(law)) / critical_time_step(shape, both(law), 0.5);
-    smallest = std::min(smallest, share);
+  for (double damping = 1e-3; damping < 1e2; damping *= 1.5) {
+    law.damping = ConstantDamping::Parameters{damping};
+    const GrainShape shape = model_a(kRadius, kMass);
+    smallest = std::min(smallest, lasting_step(shape, both(law)) / critical_time_step(shape, both(law), 0.5));
   }
   EXPECT_GE(smallest, std::sqrt(2) - 1);
   EXPECT_LT(smallest, 0.55);
