@@ -156,12 +156,6 @@ void make_films(const fs::path& directory, const laboratory::SceneExperiment& on
   }
 }
 
-/// kFailed where a quantity has no value.
-int exit_code_of(const results::LabTable& table) {
-  const auto has_value = [](const results::LabRow& row) { return !row.values.empty(); };
-  return std::all_of(table.rows.begin(), table.rows.end(), has_value) ? kDone : kFailed;
-}
-
 int experiment(const laboratory::SceneExperiment& one, const LabArguments& arguments) {
   laboratory::require_use_of_powder(one, setting_of(arguments));
   set_up_drawing();
@@ -170,7 +164,9 @@ int experiment(const laboratory::SceneExperiment& one, const LabArguments& argum
   std::printf("in %s: %s.csv, %s.json, charts\n", directory.string().c_str(), one.name.c_str(),
               one.name.c_str());
   make_films(directory, one, arguments);
-  return exit_code_of(table);
+  for (const auto& row : table.rows)
+    if (row.values.empty()) return kFailed;
+  return kDone;
 }
 
 /// The tables below `all`, coarse ones first.
@@ -232,7 +228,7 @@ int powder_sheet(const LabArguments& arguments) {
     results::write_text_atomically(directory / "data_sheet.pdf", render::report::pdf_pages(document));
   });
   std::printf("in %s: data_sheet.html, data_sheet.pdf, %s.json\n", directory.string().c_str(), kSheet);
-  return exit_code_of(outcome.table);
+  return outcome.finished ? kDone : kFailed;
 }
 
 void add_options(CLI::App& command, LabArguments& arguments) {

@@ -232,6 +232,7 @@ LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
   for (const LabRun& run : plan.runs) all.push_back(run.name);
   for (const CustomRun& run : plan.custom_runs) all.push_back(run.name);
   outcome.table.core_seconds = runs.core_seconds(all);
+  outcome.finished = runs.why_missing(all).empty();
   for (const LabQuantity& quantity : plan.quantities)
     outcome.table.rows.push_back(row_of(quantity, runs, figures, setting.powder.empty()));
   if (plan.charts) outcome.charts = charts_of(experiment, plan, runs.seeds(), jobs.on_note);

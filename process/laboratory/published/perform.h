@@ -13,6 +13,7 @@ namespace diefill::process::laboratory {
 struct LabOutcome {
   results::LabTable table;
   std::vector<results::ExperimentChart> charts;
+  bool finished = true;  ///< all runs; a quantity may have no value even so
 };
 
 /// Where and how the runs are made.
