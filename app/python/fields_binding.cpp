@@ -50,16 +50,16 @@ py::array rows_of(const py::object& self) {
 py::array column_of(const py::object& self, const std::string& name) {
   const auto& columns = self.cast<const ProbeSeries&>().columns;
   const auto found = std::find(columns.begin(), columns.end(), name);
-  if (found == columns.end()) throw py::key_error(name);
+  if (found == columns.end()) throw py::key_error(name + ": no such column; `columns` lists all");
   return rows_of(self)[py::make_tuple(py::ellipsis(), found - columns.begin())];
 }
 
 void add_curves(py::module_& module) {
   py::class_<Profile>(module, "Profile", "A curve, such as the fill level over the azimuth.")
-      .def_readonly("quantity", &Profile::quantity)
+      .def_readonly("quantity", &Profile::quantity, "such as \"fill level\"")
       .def_readonly("unit", &Profile::unit, "of y")
-      .def_readonly("x_name", &Profile::x_name)
-      .def_readonly("x_unit", &Profile::x_unit)
+      .def_readonly("x_name", &Profile::x_name, "such as \"azimuth\"")
+      .def_readonly("x_unit", &Profile::x_unit, "of x")
       .def_property_readonly("x", shown(&Profile::x), "(n,) in x_unit")
       .def_property_readonly("y", shown(&Profile::y), "(n,) in unit; NaN where nothing was found");
   py::class_<ProbeSeries>(module, "Probe",
@@ -68,7 +68,7 @@ void add_curves(py::module_& module) {
       .def_readonly("columns", &ProbeSeries::columns, "names; the first is the time")
       .def_readonly("units", &ProbeSeries::units, "one a column")
       .def_property_readonly("values", rows_of, "(rows, columns)")
-      .def("__getitem__", column_of);
+      .def("__getitem__", column_of, "(rows,) one column, in its unit. Raises KeyError for an unknown name.");
 }
 
 void add_records(py::module_& module) {
@@ -78,7 +78,7 @@ void add_records(py::module_& module) {
       .def_readonly("start", &Stage::start, "s since the start of the scene")
       .def_readonly("end", &Stage::end, "s since the start of the scene");
   py::class_<ToolCheck>(module, "ToolCheck", "What the check of a tool's mesh and wall spheres found.")
-      .def_readonly("tool", &ToolCheck::tool)
+      .def_readonly("tool", &ToolCheck::tool, "its name in the scene")
       .def_readonly("file", &ToolCheck::file, "its CAD file, without folders")
       .def_readonly("findings", &ToolCheck::findings, "about the mesh; empty: none")
       .def_readonly("volume", &ToolCheck::volume, "m^3, enclosed by the mesh")
@@ -93,28 +93,33 @@ void add_records(py::module_& module) {
 void add_fields(py::module_& module) {
   py::class_<Field2D>(module, "Field", "A field on a rectangular grid.")
       .def_readonly("quantity", &Field2D::quantity, "such as \"solid fraction\"")
-      .def_readonly("first_name", &Field2D::first_name)
-      .def_readonly("first_unit", &Field2D::first_unit)
-      .def_readonly("second_name", &Field2D::second_name)
-      .def_readonly("second_unit", &Field2D::second_unit)
+      .def_readonly("first_name", &Field2D::first_name, "of the coordinate that varies along a row of values")
+      .def_readonly("first_unit", &Field2D::first_unit, "of first")
+      .def_readonly("second_name", &Field2D::second_name,
+                    "of the coordinate that varies along a column of values")
+      .def_readonly("second_unit", &Field2D::second_unit, "of second")
       .def_readonly("averaging_width", &Field2D::averaging_width, "m, sigma of Bierwisch 2009, Eq. 2.27")
       .def_property_readonly("first", shown(&Field2D::first), "(a,) nodes in first_unit")
       .def_property_readonly("second", shown(&Field2D::second), "(b,) nodes in second_unit")
       .def_property_readonly("values", values_of,
                              "(b, a): values[j, i] at first[i], second[j]; NaN: no powder");
   py::class_<SectionField>(module, "Section", "A field on a plane, coordinates in mm from its origin.")
-      .def_property_readonly("name", [](const SectionField& section) { return section.plane.name; })
-      .def_property_readonly("origin", plane_vector(&results::SectionPlane::origin), "(3,) m")
+      .def_property_readonly(
+          "name", [](const SectionField& section) { return section.plane.name; },
+          "such as \"along the shoe's motion\"")
+      .def_property_readonly("origin", plane_vector(&results::SectionPlane::origin),
+                             "(3,) m, where both coordinates are 0")
       .def_property_readonly("normal", plane_vector(&results::SectionPlane::normal), "(3,) unit vector")
       .def_property_readonly("first_axis", plane_vector(&results::SectionPlane::first_axis),
                              "(3,) unit vector")
       .def_property_readonly("second_axis", plane_vector(&results::SectionPlane::second_axis),
                              "(3,) unit vector")
-      .def_readonly("field", &SectionField::field);
+      .def_readonly("field", &SectionField::field,
+                    "on the plane, in mm from origin along first_axis and second_axis");
   add_curves(module);
   add_records(module);
   py::class_<ToolState>(module, "Tool", "A tool as it stood at the end of the run, laboratory frame.")
-      .def_readonly("name", &ToolState::name)
+      .def_readonly("name", &ToolState::name, "in the scene")
       .def_readonly("role", &ToolState::role, "die, core, punch, shoe or plate")
       .def_readonly("wall_sphere_radius", &ToolState::wall_sphere_radius, "m")
       .def_property_readonly("vertices", shown(&ToolState::vertices), "(v, 3) m")
@@ -122,15 +127,17 @@ void add_fields(py::module_& module) {
                              "(t, 3) numbers of vertices, counter-clockwise seen from outside")
       .def_property_readonly("wall_sphere_centres", shown(&ToolState::wall_sphere_centres), "(w, 3) m");
   py::class_<CavityState>(module, "Cavity", "Where the powder is collected.")
-      .def_readonly("is_ring", &CavityState::is_ring)
+      .def_readonly("is_ring", &CavityState::is_ring, "whether a core stands in its middle")
       .def_readonly("inner_radius", &CavityState::inner_radius, "m, of rings")
       .def_readonly("outer_radius", &CavityState::outer_radius, "m, of rings")
       .def_readonly("volume", &CavityState::volume, "m^3 below the fill plane; 0: unknown")
       .def_readonly("narrowest_width", &CavityState::narrowest_width, "m; 0: unknown")
-      .def_property_readonly("axis_origin", vector_of(&CavityState::axis_origin), "(3,) m")
-      .def_property_readonly("lower_corner", vector_of(&CavityState::lower_corner), "(3,) m")
+      .def_property_readonly("axis_origin", vector_of(&CavityState::axis_origin),
+                             "(3,) m, of rings: where their vertical axis meets the fill plane")
+      .def_property_readonly("lower_corner", vector_of(&CavityState::lower_corner),
+                             "(3,) m, of the box around the cavity")
       .def_property_readonly("upper_corner", vector_of(&CavityState::upper_corner),
-                             "(3,) m; its z is the fill plane");
+                             "(3,) m, of the box around the cavity; its z is the fill plane");
 }
 
 }  // namespace diefill::python

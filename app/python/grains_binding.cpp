@@ -59,7 +59,8 @@ void add_powder(py::module_& module) {
             return of_each_grain(powder, [](const auto& p, std::size_t k) { return p.mass_of(k); });
           },
           "(n,) kg, a copy")
-      .def("__len__", [](const PowderState& powder) { return powder.id.size(); });
+      .def(
+          "__len__", [](const PowderState& powder) { return powder.id.size(); }, "Number of grains.");
 }
 
 void add_summary(py::module_& module) {
@@ -68,9 +69,9 @@ void add_summary(py::module_& module) {
       "Solid fraction over the closed cells of the cavity at least 2 d below the powder's surface.")
       .def_readonly("mean", &SolidFractionSummary::mean, "sum of solid volumes over sum of cell volumes")
       .def_readonly("arithmetic_mean", &SolidFractionSummary::arithmetic_mean, "of the grains' values")
-      .def_readonly("std", &SolidFractionSummary::std)
-      .def_readonly("min", &SolidFractionSummary::min)
-      .def_readonly("max", &SolidFractionSummary::max)
+      .def_readonly("std", &SolidFractionSummary::std, "standard deviation of the grains' values")
+      .def_readonly("min", &SolidFractionSummary::min, "of the grains' values")
+      .def_readonly("max", &SolidFractionSummary::max, "of the grains' values")
       .def_readonly("cv", &SolidFractionSummary::cv, "std over arithmetic_mean")
       .def_readonly("grains", &SolidFractionSummary::grains, "grains counted");
 }
@@ -106,7 +107,8 @@ void add_grains(py::module_& module) {
                              "(tools, 4) unit quaternion from the tool's place at the end of the run")
       .def_property_readonly("tool_displacement", shown(&Instant::tool_displacement),
                              "(tools, 3) m, added after turning about the origin")
-      .def("__len__", [](const Instant& instant) { return instant.id.size(); });
+      .def(
+          "__len__", [](const Instant& instant) { return instant.id.size(); }, "Number of grains.");
 }
 
 }  // namespace diefill::python

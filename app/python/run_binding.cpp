@@ -46,12 +46,12 @@ auto in_order(std::vector<Entry> FillResult::*list) {
 }
 
 void add_texts(py::class_<FillResult>& run) {
-  run.def_readonly("title", &FillResult::title)
+  run.def_readonly("title", &FillResult::title, "of the scene")
       .def_readonly("strategy", &FillResult::strategy, "one line, such as \"1 passage at 0.2 m/s\"")
-      .def_readonly("powder_name", &FillResult::powder_name)
+      .def_readonly("powder_name", &FillResult::powder_name, "such as \"Distaloy AE\"")
       .def_readonly("scene_text", &FillResult::scene_text, "the scene file as it was run")
       .def_readonly("program_version", &FillResult::program_version, "of the program that ran it")
-      .def_readonly("seed", &FillResult::seed)
+      .def_readonly("seed", &FillResult::seed, "of the random numbers that place and turn the grains")
       .def_readonly("state_hash", &FillResult::state_hash, "the same hash: the same state, bit for bit")
       .def_readonly("warnings", &FillResult::warnings, "remarks of the run")
       .def_property_readonly("topics", topics_of, "statements on powder, model, walls, numerics, ...")
@@ -67,10 +67,10 @@ void add_run(py::module_& module) {
   py::register_exception<results::ResultError>(module, "ResultError", PyExc_ValueError);
   py::class_<FillResult> run(module, "Results", "One run: powder, tools, fields and figures. SI units.");
   add_texts(run);
-  run.def_readonly("powder", &FillResult::powder)
+  run.def_readonly("powder", &FillResult::powder, "at the end of the run")
       .def_readonly("solid_fraction", &FillResult::solid_fraction, "of every grain")
       .def_readonly("contact_stress", &FillResult::contact_stress, "of every grain")
-      .def_readonly("cavity", &FillResult::cavity)
+      .def_readonly("cavity", &FillResult::cavity, "the largest one")
       .def_readonly("summary", &FillResult::summary, "solid fraction of the grains in the cavity")
       .def_readonly("figures", &FillResult::figures,
                     "numbers of report.json by name; figure_meaning() explains them")
@@ -79,19 +79,24 @@ void add_run(py::module_& module) {
       .def_property_readonly("maps", by_name(&FillResult::maps, [](const auto& map) { return map.quantity; }),
                              "fields by quantity")
       .def_property_readonly(
-          "sections", by_name(&FillResult::sections, [](const auto& section) { return section.plane.name; }))
+          "sections", by_name(&FillResult::sections, [](const auto& section) { return section.plane.name; }),
+          "fields on planes by name of the plane")
       .def_property_readonly(
-          "profiles", by_name(&FillResult::profiles, [](const auto& profile) { return profile.quantity; }))
+          "profiles", by_name(&FillResult::profiles, [](const auto& profile) { return profile.quantity; }),
+          "curves by quantity")
       .def_property_readonly("probes",
-                             by_name(&FillResult::probes, [](const auto& probe) { return probe.name; }))
-      .def_property_readonly("tools", by_name(&FillResult::tools, [](const auto& tool) { return tool.name; }))
+                             by_name(&FillResult::probes, [](const auto& probe) { return probe.name; }),
+                             "by name in the scene")
+      .def_property_readonly("tools", by_name(&FillResult::tools, [](const auto& tool) { return tool.name; }),
+                             "by name in the scene")
       .def_property_readonly("instants", in_order(&FillResult::instants),
                              "earlier times, ascending (measure.snapshot_interval)")
       .def_property_readonly("stages", in_order(&FillResult::stages), "the schedule as it happened")
       .def_property_readonly("other_cavities", in_order(&FillResult::other_cavities),
                              "smaller ones; figures and maps are of `cavity`")
       .def_property_readonly("tool_checks",
-                             by_name(&FillResult::tool_checks, [](const auto& check) { return check.tool; }));
+                             by_name(&FillResult::tool_checks, [](const auto& check) { return check.tool; }),
+                             "by name of the tool");
   module.def(
       "read", [](const std::string& directory) { return results::read_results(directory); },
       py::arg("directory"),

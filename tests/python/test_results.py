@@ -1,7 +1,11 @@
 """Results as arrays: without copies, read-only, and the numbers of the files."""
+import ast
 import gc
 import json
+import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -81,6 +85,59 @@ def test_missing_results_are_bad_input(tmp_path):
     with pytest.raises(diefill.BadInput, match="no such results file") as error:
         diefill.read(tmp_path)
     assert "\n" not in str(error.value)
+
+
+def test_results_of_a_run_that_has_not_ended_are_bad_input(tmp_path):
+    (tmp_path / "checkpoint.bin").write_bytes(b"state")
+    with pytest.raises(diefill.BadInput, match="not reached its end.*--resume"):
+        diefill.read(tmp_path)
+
+
+@pytest.mark.parametrize("directory", [None, 5, "", "a\0b", "\ud800", b"a\xff", ["out"]])
+def test_what_names_no_directory_is_bad_input_in_one_line(directory):
+    for read in (diefill.read, diefill.read_comparison):
+        with pytest.raises(diefill.BadInput, match=".") as error:
+            read(directory)
+        assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", "null", '{"title": 1}', "\xff", "[" * 100000])
+def test_a_damaged_comparison_is_bad_input(tmp_path, text):
+    (tmp_path / "comparison.json").write_text(text, encoding="latin-1")
+    with pytest.raises(diefill.BadInput, match="comparison.json: damaged"):
+        diefill.read_comparison(tmp_path)
+
+
+def test_everything_in_the_module_is_explained():
+    stub = ast.parse((Path(diefill.__file__).parent / "_results.pyi").read_text())
+    for node in (one for one in stub.body if isinstance(one, ast.ClassDef) and not one.bases):
+        assert ast.get_docstring(node) and getattr(_results, node.name).__doc__, node.name
+        for member, after in zip(node.body, node.body[1:] + [None]):
+            if isinstance(member, ast.FunctionDef):
+                assert ast.get_docstring(member), f"{node.name}.{member.name}"
+                assert getattr(_results, node.name).__dict__[member.name].__doc__, f"{node.name}.{member.name}"
+            elif isinstance(member, ast.AnnAssign):
+                assert isinstance(after, ast.Expr), f"{node.name}.{member.target.id}"
+                name = member.target.id
+                assert getattr(_results, node.name).__dict__[name].__doc__, f"{node.name}.{name}"
+
+
+@pytest.mark.parametrize("files, said", [({}, "build it with: sh app/build.sh --target _results"),
+                                         ({"_results.so": ""}, "use the Python that it was built for"),
+                                         ({"_results.so": "", "numpy.py": "raise ImportError('none')"}, "with NumPy")])
+def test_a_python_that_cannot_load_the_package_is_told_why_in_one_line(tmp_path, files, said):
+    package = tmp_path / "diefill"
+    package.mkdir()
+    for file in Path(diefill.__file__).parent.glob("*.py"):
+        (package / file.name).write_text(file.read_text())
+    for name, text in files.items():
+        place = package / f"{name[:-3]}.other.so" if name.endswith(".so") else tmp_path / name
+        place.write_text(text)
+    done = subprocess.run([sys.executable, "-c", "import diefill"], cwd=tmp_path, capture_output=True, text=True,
+                          env={**os.environ, "PYTHONPATH": str(tmp_path)})
+    assert done.returncode == 1
+    last = done.stderr.splitlines()[-1]
+    assert last.startswith("ImportError: diefill: ") and said in last
 
 
 def test_types_are_stated_for_everything_in_the_module():

@@ -1,12 +1,13 @@
 """Results of diefill as NumPy arrays, without copies. SI units; arrays are read-only."""
-from typing import Dict, List, Tuple
+from typing import Dict, List, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-class ResultError(ValueError): ...
+class ResultError(ValueError):
+    """Results that are missing, damaged or of a version that cannot be read; diefill.read raises BadInput instead."""
 
 class Powder:
     """Powder at one instant; arrays run over grains."""
@@ -49,7 +50,8 @@ class Powder:
     @property
     def mass(self) -> Floats:
         """(n,) kg, a copy"""
-    def __len__(self) -> int: ...
+    def __len__(self) -> int:
+        """Number of grains."""
 
 class SolidFraction:
     """Voronoi measure of every grain."""
@@ -82,8 +84,11 @@ class Summary:
     arithmetic_mean: float
     """of the grains' values"""
     std: float
+    """standard deviation of the grains' values"""
     min: float
+    """of the grains' values"""
     max: float
+    """of the grains' values"""
     cv: float
     """std over arithmetic_mean"""
     grains: int
@@ -94,7 +99,8 @@ class Instant:
     time: float
     """s since the start of the scene"""
     @property
-    def id(self) -> NDArray[np.uint64]: ...
+    def id(self) -> NDArray[np.uint64]:
+        """(n,) identity of the grain"""
     @property
     def position(self) -> Floats:
         """(n, 3) m, laboratory frame"""
@@ -113,15 +119,21 @@ class Instant:
     @property
     def tool_displacement(self) -> Floats:
         """(tools, 3) m, added after turning about the origin"""
-    def __len__(self) -> int: ...
+    def __len__(self) -> int:
+        """Number of grains."""
 
 class Field:
     """A field on a rectangular grid."""
     quantity: str
+    """such as: solid fraction"""
     first_name: str
+    """of the coordinate that varies along a row of values"""
     first_unit: str
+    """of first"""
     second_name: str
+    """of the coordinate that varies along a column of values"""
     second_unit: str
+    """of second"""
     averaging_width: float
     """m, sigma of Bierwisch 2009, Eq. 2.27"""
     @property
@@ -137,24 +149,33 @@ class Field:
 class Section:
     """A field on a plane, coordinates in mm from its origin."""
     field: Field
+    """on the plane, in mm from origin along first_axis and second_axis"""
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """such as: along the shoe's motion"""
     @property
     def origin(self) -> Floats:
-        """(3,) m"""
+        """(3,) m, where both coordinates are 0"""
     @property
-    def normal(self) -> Floats: ...
+    def normal(self) -> Floats:
+        """(3,) unit vector"""
     @property
-    def first_axis(self) -> Floats: ...
+    def first_axis(self) -> Floats:
+        """(3,) unit vector"""
     @property
-    def second_axis(self) -> Floats: ...
+    def second_axis(self) -> Floats:
+        """(3,) unit vector"""
 
 class Profile:
     """A curve, such as the fill level over the azimuth."""
     quantity: str
+    """such as: fill level"""
     unit: str
+    """of y"""
     x_name: str
+    """such as: azimuth"""
     x_unit: str
+    """of x"""
     @property
     def x(self) -> Floats:
         """(n,) in x_unit"""
@@ -165,19 +186,23 @@ class Profile:
 class Probe:
     """What a probe recorded while the scene ran; probe[column] is one column."""
     name: str
+    """in the scene"""
     columns: List[str]
+    """names; the first is the time"""
     units: List[str]
+    """one a column"""
     @property
     def values(self) -> Floats:
         """(rows, columns)"""
-    def __getitem__(self, name: str) -> Floats: ...
+    def __getitem__(self, name: str) -> Floats:
+        """(rows,) one column, in its unit. Raises KeyError for an unknown name."""
 
 class Stage:
     """One stage of the schedule as it happened."""
     tool: str
     """tool that moved; empty: none"""
     words: str
-    """for people, such as: 1 passage at 0.2 m/s"""
+    """such as: 1 passage at 0.2 m/s"""
     start: float
     """s since the start of the scene"""
     end: float
@@ -186,6 +211,7 @@ class Stage:
 class ToolCheck:
     """What the check of a tool's mesh and wall spheres found."""
     tool: str
+    """its name in the scene"""
     file: str
     """its CAD file, without folders"""
     findings: List[str]
@@ -202,7 +228,9 @@ class ToolCheck:
 class Tool:
     """A tool as it stood at the end of the run, laboratory frame."""
     name: str
+    """in the scene"""
     role: str
+    """die, core, punch, shoe or plate"""
     wall_sphere_radius: float
     """m"""
     @property
@@ -218,6 +246,7 @@ class Tool:
 class Cavity:
     """Where the powder is collected."""
     is_ring: bool
+    """whether a core stands in its middle"""
     inner_radius: float
     """m, of rings"""
     outer_radius: float
@@ -227,48 +256,68 @@ class Cavity:
     narrowest_width: float
     """m; 0: unknown"""
     @property
-    def axis_origin(self) -> Floats: ...
+    def axis_origin(self) -> Floats:
+        """(3,) m, of rings: where their vertical axis meets the fill plane"""
     @property
     def lower_corner(self) -> Floats:
-        """(3,) m"""
+        """(3,) m, of the box around the cavity"""
     @property
     def upper_corner(self) -> Floats:
-        """(3,) m; its z is the fill plane"""
+        """(3,) m, of the box around the cavity; its z is the fill plane"""
 
 class Results:
     """One run: powder, tools, fields and figures."""
     title: str
+    """of the scene"""
     strategy: str
+    """one line, such as: 1 passage at 0.2 m/s"""
     powder_name: str
+    """such as: Distaloy AE"""
     scene_text: str
+    """the scene file as it was run"""
     program_version: str
+    """of the program that ran it"""
     seed: int
+    """of the random numbers that place and turn the grains"""
     state_hash: str
+    """the same hash: the same state, bit for bit"""
     warnings: List[str]
+    """remarks of the run"""
     powder: Powder
+    """at the end of the run"""
     solid_fraction: SolidFraction
+    """of every grain"""
     contact_stress: ContactStress
+    """of every grain"""
     cavity: Cavity
+    """the largest one"""
     summary: Summary
     """solid fraction of the grains in the cavity"""
     figures: Dict[str, float]
     """numbers of report.json by name; figure_meaning() explains them"""
     phase_seconds: Dict[str, float]
-    """s of wall-clock time by phase of the step"""
+    """s of wall-clock time by phase of the step, since the last restart"""
     @property
-    def topics(self) -> Dict[str, Dict[str, str]]: ...
+    def topics(self) -> Dict[str, Dict[str, str]]:
+        """statements on powder, model, walls, numerics, ..."""
     @property
-    def maps(self) -> Dict[str, Field]: ...
+    def maps(self) -> Dict[str, Field]:
+        """fields by quantity"""
     @property
-    def sections(self) -> Dict[str, Section]: ...
+    def sections(self) -> Dict[str, Section]:
+        """fields on planes by name of the plane"""
     @property
-    def profiles(self) -> Dict[str, Profile]: ...
+    def profiles(self) -> Dict[str, Profile]:
+        """curves by quantity"""
     @property
-    def probes(self) -> Dict[str, Probe]: ...
+    def probes(self) -> Dict[str, Probe]:
+        """by name in the scene"""
     @property
-    def tools(self) -> Dict[str, Tool]: ...
+    def tools(self) -> Dict[str, Tool]:
+        """by name in the scene"""
     @property
-    def instants(self) -> List[Instant]: ...
+    def instants(self) -> List[Instant]:
+        """earlier times, ascending (measure.snapshot_interval)"""
     @property
     def stages(self) -> List[Stage]:
         """the schedule as it happened"""
@@ -279,7 +328,7 @@ class Results:
     def tool_checks(self) -> Dict[str, ToolCheck]:
         """by name of the tool"""
 
-def read(directory: str) -> Results:
+def read(directory: Union[str, bytes]) -> Results:
     """Reads directory/results.h5. Raises ResultError naming the file and what is wrong with it."""
 
 def figure_meaning(name: str) -> Tuple[str, str]:

@@ -1,4 +1,6 @@
 """Finds the program `diefill`, runs it with progress, stops it, and raises its errors as exceptions."""
+import errno
+import json
 import os
 import re
 import shutil
@@ -7,15 +9,17 @@ import subprocess
 import tempfile
 import warnings
 from pathlib import Path
-from typing import Callable, List, Optional, Sequence
+from typing import IO, Any, Callable, List, Optional, Sequence
 
-from .errors import UNFINISHED, Failed, UnfinishedWarning, error_of
+from .errors import UNFINISHED, BadInput, Failed, UnfinishedWarning, error_of
+from .paths import require_passable
 
 Callback = Callable[[float, str], object]
 """Called about twice a second with the share done (0 to 1) and the current task. An exception that it raises stops the
 work."""
 
 _PROGRESS = re.compile(r"\s*(\d+) %  (.*)$")
+_FAILED_RUN = re.compile(r'".*", seed \d+ failed: ')  # of a comparison, which prints no other error
 _SECONDS_BETWEEN_CALLS = "0.5"
 
 
@@ -49,10 +53,39 @@ class _Output:
         elif self.callback is not None:
             self.callback(int(progress[1]) / 100, progress[2])
 
-    def error_message(self) -> str:
-        """The line that says why the program failed."""
+    def error_message(self, code: int) -> str:
+        """The line that says why the program ended with `code`."""
         said = [line[len("diefill: "):] for line in self.lines if line.startswith("diefill: ")]
-        return said[-1] if said else " ".join(self.lines[-3:]) or "the program ended without a message"
+        failed = [line for line in self.lines if _FAILED_RUN.match(line)]
+        if said:
+            return said[-1]
+        if code < 0:
+            return f"the program was ended by {_signal_name(-code)}; " + (
+                "memory may have run out: use larger grains" if code == -signal.SIGKILL else "run it again")
+        if failed:
+            return failed[0] + ("" if len(failed) == 1 else f"; {len(failed) - 1} more failed: see comparison.json")
+        return self.lines[-1] if self.lines else f"the program ended with exit code {code} and without a message"
+
+
+def _signal_name(number: int) -> str:
+    try:
+        return signal.Signals(number).name
+    except ValueError:
+        return f"signal {number}"
+
+
+def _started(command: Sequence[str], output: IO[str]) -> "subprocess.Popen[str]":
+    """Starts the program. Raises Failed where it cannot be started, BadInput where its arguments are too long."""
+    environment = dict(os.environ, DIEFILL_PROGRESS_SECONDS=_SECONDS_BETWEEN_CALLS)
+    try:
+        # A session of its own: the terminal's Ctrl-C reaches Python alone, which passes it on.
+        return subprocess.Popen(command, stdout=output, stderr=subprocess.PIPE, env=environment, text=True,
+                                encoding="utf-8", errors="replace", start_new_session=True)
+    except OSError as error:
+        if error.errno == errno.E2BIG:
+            raise BadInput("changes: longer than a command line may be; write them into the scene file") from None
+        raise Failed(f"{command[0]}: cannot be started: {error.strerror}; install diefill, or name the program in the "
+                     "environment as DIEFILL_PROGRAM") from None
 
 
 def _stop(process: "subprocess.Popen[str]") -> None:
@@ -64,32 +97,46 @@ def _stop(process: "subprocess.Popen[str]") -> None:
     process.wait()
 
 
+def _exit_code(process: "subprocess.Popen[str]", output_lines: _Output) -> int:
+    """Reads what the program says until it ends. Where an exception comes in between, the program stops first."""
+    assert process.stderr is not None
+    try:
+        for line in process.stderr:
+            output_lines.take(line.rstrip("\n"))
+        return process.wait()
+    except BaseException:
+        _stop(process)
+        raise
+    finally:
+        process.stderr.close()
+
+
 def call(arguments: Sequence[object], callback: Optional[Callback] = None) -> str:
     """Runs the program; returns its standard output. Raises BadInput, OutOfRange or Failed with its line. On Ctrl-C,
     and when `callback` raises, the program stops with a checkpoint first."""
-    command = [find_program()] + [os.fspath(a) if isinstance(a, os.PathLike) else str(a) for a in arguments]
-    environment = dict(os.environ, DIEFILL_PROGRESS_SECONDS=_SECONDS_BETWEEN_CALLS)
+    if callback is not None and not callable(callback):
+        raise BadInput(f"callback: found {callback!r}, expected a function of the share done (0 to 1) and the task")
+    command = [find_program()] + [str(argument) for argument in arguments]
+    for argument in command:
+        require_passable(argument, "argument")
     output_lines = _Output(callback)
     with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as output:
-        # A session of its own: the terminal's Ctrl-C reaches Python alone, which passes it on.
-        process = subprocess.Popen(command, stdout=output, stderr=subprocess.PIPE, env=environment, text=True,
-                                   encoding="utf-8", errors="replace", start_new_session=True)
-        try:
-            assert process.stderr is not None
-            for line in process.stderr:
-                output_lines.take(line.rstrip("\n"))
-            code = process.wait()
-        except BaseException:
-            _stop(process)
-            raise
-        finally:
-            process.stderr.close()
+        code = _exit_code(_started(command, output), output_lines)
         if code == UNFINISHED:
-            warnings.warn(output_lines.error_message(), UnfinishedWarning, stacklevel=3)
+            warnings.warn(output_lines.error_message(code), UnfinishedWarning, stacklevel=3)
         elif code != 0:
-            raise error_of(code, output_lines.error_message())
+            raise error_of(code, output_lines.error_message(code))
         output.seek(0)
         return output.read()
+
+
+def call_for_json(arguments: Sequence[object], callback: Optional[Callback] = None) -> Any:
+    """What `call` returns, read as JSON. Raises Failed where it is none."""
+    output = call([*arguments, "--json"], callback)
+    try:
+        return json.loads(output)
+    except ValueError:
+        raise Failed(f"{find_program()}: printed no JSON; is it diefill, of the version of this package?") from None
 
 
 def version() -> str:
