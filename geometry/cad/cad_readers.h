@@ -8,10 +8,12 @@ namespace diefill::geometry {
 /// OBJ, PLY, OFF, AMF, Collada, glTF (assimp). Formats whose y axis points up are turned so that z does.
 CadParts read_triangles(const std::filesystem::path& file, const CadFormat& format);
 
-/// 3MF (lib3mf): the mesh objects that the build items hold, however deep, placed.
+/// 3MF (lib3mf): the mesh objects that the build items hold, however deep, placed. Supports for printing are
+/// left out, with a remark.
 CadParts read_3mf(const std::filesystem::path& file);
 
-/// STEP and IGES (OpenCASCADE). A part is a product that holds faces, placed as the assembly places it.
+/// STEP and IGES (OpenCASCADE). A part is a product that holds faces, placed as the assembly places it. One
+/// larger than 10 m, whose unit must be wrong, is triangulated to no finer than 1e-4 of its size.
 CadParts read_curved_faces(const std::filesystem::path& file, const CadFormat& format,
                            double chord_tolerance);
 

@@ -71,11 +71,19 @@ std::string name_of(void* object) {
   return name.c_str();
 }
 
-/// Walks down from the build items: every mesh object is a part, called by its own name or that of the
-/// components round it.
+/// Whether it only holds other objects up while they are printed.
+bool is_support(void* object) {
+  DWORD type = NMR::MODELOBJECTTYPE_MODEL;
+  check(NMR::lib3mf_object_gettype(static_cast<NMR::PLib3MFModelObjectResource*>(object), &type), object);
+  return type == NMR::MODELOBJECTTYPE_SUPPORT || type == NMR::MODELOBJECTTYPE_SOLIDSUPPORT;
+}
+
+/// Walks down from the build items: every mesh object but supports is a part, called by its own name or that
+/// of the components round it.
 class Collector {
  public:
   explicit Collector(std::vector<CadPart>& parts) : parts_(parts) {}
+  std::size_t supports() const { return supports_; }
 
   void add(void* object, const Placement& placement, const std::vector<std::string>& assemblies,
            const std::string& name) {
@@ -87,6 +95,10 @@ class Collector {
     const std::string own = name_of(object);
     const std::string& called = own.empty() ? name : own;
     if (!is_mesh) return add_components(object, placement, assemblies, called);
+    if (is_support(object)) {
+      ++supports_;
+      return;
+    }
     if (parts_.size() == kMaxParts) throw std::runtime_error("its components produce too many parts");
     parts_.push_back({called, {}, {}, assemblies});
     add_mesh(object, placement, parts_.back().mesh);
@@ -115,7 +127,7 @@ class Collector {
   }
 
   std::vector<CadPart>& parts_;
-  std::size_t places_ = 0, corners_ = 0;
+  std::size_t places_ = 0, corners_ = 0, supports_ = 0;
 };
 
 void add_item(NMR::PLib3MFModelBuildItem* item, Collector& collector) {
@@ -186,12 +198,15 @@ CadParts read_3mf(const std::filesystem::path& file) {
   const Handle held_items(items);
   for (BOOL more = 0;;) {
     check(NMR::lib3mf_builditemiterator_movenext(items, &more), items);
-    if (!more) return contents;
+    if (!more) break;
     NMR::PLib3MFModelBuildItem* item = nullptr;
     check(NMR::lib3mf_builditemiterator_getcurrent(items, &item), items);
     const Handle held(item);
     add_item(item, collector);
   }
+  if (collector.supports() > 0)
+    contents.remarks.push_back("supports for printing ignored: " + std::to_string(collector.supports()));
+  return contents;
 }
 
 }  // namespace diefill::geometry

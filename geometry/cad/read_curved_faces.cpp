@@ -1,7 +1,9 @@
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESData_BasicEditor.hxx>
 #include <IGESData_IGESModel.hxx>
@@ -22,6 +24,7 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -33,9 +36,11 @@ namespace diefill::geometry {
 
 namespace {
 
-constexpr double kMillimetre = 1e-3;   // OpenCASCADE turns every file's coordinates into millimetres
-constexpr double kWidestSeam = 0.01;   // mm, between faces of one part
-constexpr double kLargestTurn = 0.35;  // rad between neighbouring facets of a small radius
+constexpr double kMillimetre = 1e-3;     // OpenCASCADE turns every file's coordinates into millimetres
+constexpr double kWidestSeam = 0.01;     // mm, between faces of one part
+constexpr double kLargestTurn = 0.35;    // rad between neighbouring facets of a small radius
+constexpr double kLargestPart = 1e4;     // mm; the unit of a larger one is wrong
+constexpr double kChordOverSize = 1e-4;  // of such a part: finer ones take minutes and gigabytes
 
 /// A part with its shape in millimetres.
 struct Solid {
@@ -160,7 +165,16 @@ void add_face(const TopoDS_Face& face, Mesh& mesh) {
   }
 }
 
+/// mm, diagonal of the shape's box.
+double size_of(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, Standard_False);
+  return box.IsVoid() || box.IsOpen() ? 0 : std::sqrt(box.SquareExtent());
+}
+
 Mesh triangulated(const TopoDS_Shape& shape, double chord_tolerance) {
+  const double size = size_of(shape);
+  if (size > kLargestPart) chord_tolerance = std::max(chord_tolerance, kChordOverSize * size);
   BRepMesh_IncrementalMesh(shape, chord_tolerance, Standard_False, kLargestTurn, Standard_False);
   Mesh mesh;
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
@@ -168,7 +182,8 @@ Mesh triangulated(const TopoDS_Shape& shape, double chord_tolerance) {
   return mesh;
 }
 
-/// As STEP files spell them; nothing for a custom unit, whose factor OpenCASCADE has applied.
+/// As STEP files spell them; millimetres, which OpenCASCADE has turned all coordinates into, for a name that
+/// is not listed.
 double metres_of(const std::string& unit) {
   static const std::map<std::string, double> units = {
       {"metre", 1},         {"meter", 1},         {"millimetre", 1e-3}, {"millimeter", 1e-3}, {"mm", 1e-3},

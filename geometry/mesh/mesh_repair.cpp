@@ -11,6 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -39,6 +40,25 @@ std::string formatted(const char* format, Values... values) {
   return text;
 }
 
+/// Triangles that close a hole, as indices into its rim.
+using Patch = std::vector<CGAL::Triple<int, int, int>>;
+
+/// The rim in loops that pass no place twice: holes that touch at a corner have one rim round them all.
+std::vector<std::vector<Point>> simple_loops(const std::vector<Point>& rim) {
+  std::vector<std::vector<Point>> loops;
+  std::vector<Point> open;
+  for (const Point& place : rim) {
+    const auto before = std::find(open.begin(), open.end(), place);
+    if (before != open.end()) {
+      loops.emplace_back(before, open.end());
+      open.erase(before, open.end());
+    }
+    open.push_back(place);
+  }
+  loops.push_back(open);
+  return loops;
+}
+
 /// One repair, step by step.
 class Repair {
  public:
@@ -56,6 +76,8 @@ class Repair {
   void drop_copies(cgal::Soup& soup);
   void fill_holes();
   void fill(Surface::Halfedge_index border);
+  Patch patch_for(const std::vector<Point>& rim);
+  void join_patches();
   void turn_outward();
   void unite_shells();
   void drop_slivers();
@@ -67,6 +89,7 @@ class Repair {
   const RepairOptions& options_;
   double diagonal_ = 0;
   Surface surface_;
+  std::vector<std::array<Point, 3>> patches_;  ///< of holes that touch, not yet in the surface
   std::vector<std::string> repairs_, refused_;
 };
 
@@ -148,11 +171,9 @@ bool Repair::stitch_shells() {
   return true;
 }
 
-void Repair::fill(Surface::Halfedge_index border) {
-  std::vector<Point> rim;
-  for (const auto edge : CGAL::halfedges_around_face(border, surface_))
-    rim.push_back(surface_.point(surface_.target(edge)));
-  std::vector<CGAL::Triple<int, int, int>> patch;
+/// Empty, with the reason kept, where the hole may be an opening.
+Patch Repair::patch_for(const std::vector<Point>& rim) {
+  Patch patch;
   processing::triangulate_hole_polyline(rim, std::back_inserter(patch));
   double area = 0;
   const auto corner = [&](int k) { return rim[static_cast<std::size_t>(k)]; };
@@ -166,17 +187,50 @@ void Repair::fill(Surface::Halfedge_index border) {
     refused_.push_back(
         formatted("a hole of %.4g mm2, more than %.2g of the surface, ", 1e6 * area, options_.largest_hole) +
         where + " may be an opening");
+    return {};
+  }
+  record(formatted("a hole of %.3g mm2 filled ", 1e6 * area) + where);
+  return patch;
+}
+
+void Repair::fill(Surface::Halfedge_index border) {
+  std::vector<Point> rim;
+  for (const auto edge : CGAL::halfedges_around_face(border, surface_))
+    rim.push_back(surface_.point(surface_.target(edge)));
+  const std::vector<std::vector<Point>> loops = simple_loops(rim);
+  if (loops.size() == 1) {
+    std::vector<Surface::Face_index> faces;
+    if (!patch_for(rim).empty()) processing::triangulate_hole(surface_, border, std::back_inserter(faces));
     return;
   }
-  std::vector<Surface::Face_index> faces;
-  processing::triangulate_hole(surface_, border, std::back_inserter(faces));
-  record(formatted("a hole of %.3g mm2 filled ", 1e6 * area) + where);
+  for (const std::vector<Point>& loop : loops) {
+    if (loop.size() < 3) continue;  // a slit: its sides meet where corners are merged
+    const auto corner = [&](int k) { return loop[static_cast<std::size_t>(k)]; };
+    for (const auto& triangle : patch_for(loop))
+      patches_.push_back({corner(triangle.first), corner(triangle.second), corner(triangle.third)});
+  }
+}
+
+/// Where holes touch, the surface has a corner for each of its sides: they become one again.
+void Repair::join_patches() {
+  cgal::Soup soup = cgal::soup_of(cgal::mesh_of(surface_));
+  for (const auto& triangle : patches_) {
+    const std::size_t first = soup.points.size();
+    soup.points.insert(soup.points.end(), triangle.begin(), triangle.end());
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  processing::repair_polygon_soup(soup.points, soup.triangles);
+  processing::orient_polygon_soup(soup.points, soup.triangles);
+  if (!processing::is_polygon_soup_a_polygon_mesh(soup.triangles)) return;
+  surface_.clear();
+  processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, surface_);
 }
 
 void Repair::fill_holes() {
   std::vector<Surface::Halfedge_index> borders;
   processing::extract_boundary_cycles(surface_, std::back_inserter(borders));
   for (const auto border : borders) fill(border);
+  if (!patches_.empty()) join_patches();
 }
 
 /// A shell that is inside out is reversed; one that lies inside another becomes the wall of a closed cavity
@@ -254,6 +308,8 @@ RepairedMesh Repair::run() {
       Mesh repaired = cgal::mesh_of(surface_);
       const MeshFindings findings = check_mesh(repaired);
       if (findings.usable()) return {std::move(repaired), findings, repairs_, refused_, 0};
+      if (refused_.empty())
+        refused_.push_back("repairs that need no guess leave " + findings.description().front());
     }
     result.refused = refused_;
     if (options_.level == RepairLevel::kWrap) wrap(result);

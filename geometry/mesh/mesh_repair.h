@@ -23,6 +23,7 @@ struct RepairOptions {
   /// Loose corners closer than this part of the bounding box's diagonal are welded.
   double weld = 1e-5;
   /// A hole is filled when the patch is at most this part of the surface: a larger one may be an opening.
+  /// Holes that touch at a corner count one by one.
   double largest_hole = 0.01;
   /// Size of the features that a wrap still follows; 0: a hundredth of the bounding box's diagonal.
   double wrap_detail = 0;

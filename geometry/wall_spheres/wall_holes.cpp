@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "geometry/grids/cell_index.h"
+#include "geometry/wall_spheres/wall_spheres.h"
 
 namespace diefill::geometry {
 
@@ -25,9 +26,8 @@ constexpr double kSameGuess = 1e-9;
   std::ostringstream text;
   text << std::setprecision(4) << "the solid is only " << 1e3 * thickness << " mm thick near ("
        << 1e3 * place.x() << ", " << 1e3 * place.y() << ", " << 1e3 * place.z()
-       << ") mm, thinner than a wall sphere of " << 2e3 * radius
-       << " mm diameter: reduce sphere_radius below " << 0.5e3 * thickness << " mm or thicken the part";
-  throw MeshError(text.str());
+       << ") mm, thinner than a wall sphere of " << 2e3 * radius << " mm diameter: thicken the part";
+  throw ThinSolid(text.str(), thickness);
 }
 
 /// Centre of the circle through three points, or nothing when they lie in a line.

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
+#include "geometry/mesh/mesh.h"
 #include "geometry/solid/solid_query.h"
 
 namespace diefill::geometry {
@@ -19,6 +21,12 @@ struct WallSphereOptions {
   std::function<bool(const Eigen::Vector3d& surface_point, const Eigen::Vector3d& outward_normal)> reachable;
   /// Called with the finished share, 0 to 1, by one thread at a time. Empty: not reported.
   std::function<void(double share)> on_progress;
+};
+
+/// The solid is thinner than a wall sphere at a place that powder can reach.
+struct ThinSolid : MeshError {
+  ThinSolid(const std::string& message, double thick) : MeshError(message), thickness(thick) {}
+  double thickness;  ///< m
 };
 
 /// The spheres of one tool and how well their envelope follows the CAD surface, measured on points of the
@@ -49,8 +57,8 @@ struct WallSpheres {
 /// longest edge and cylinders and other bent strips grids of rings, stretched so that the outermost rows lie
 /// at the edges with no spacing above the wanted one; edges carry rows, inner edges all round them; what
 /// is left open, and doubly curved surfaces, are covered by lattices that grow over them. Reachable patches
-/// narrower than R_w may be missed. Throws MeshError when the solid is thinner than 2 R_w where it is
-/// reachable, or for options out of range.
+/// narrower than R_w may be missed. Throws ThinSolid when the solid is thinner than 2 R_w where it is
+/// reachable, MeshError for options out of range.
 WallSpheres make_wall_spheres(const Mesh& mesh, const WallSphereOptions& options);
 
 /// The same where there is a query of that mesh already.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/reach/moving_pair.h"
+#include "process/results/formatted.h"
 #include "process/setup/cover_tooling.h"
 #include "process/setup/predicted_work.h"
 #include "process/setup/reachable_surface.h"
@@ -58,6 +59,16 @@ geometry::WallSpheres spheres_of(const Scene& scene, const Tool& tool, double gr
   return make();
 }
 
+/// What a user may do about a solid `thickness` (m) thick, thinner than a wall sphere, but to thicken it.
+std::string other_ways_for_sheet(const Scene& scene, const ToolSpec& spec, double thickness) {
+  constexpr double kSmallestRadius = 1e-6;  // m, that a scene may ask for (wall_rules.h)
+  std::string ways;
+  if (0.5 * thickness > kSmallestRadius)
+    ways += results::formatted(", or reduce sphere_radius below %.4g mm", 0.5e3 * thickness);
+  if (!is_mesh(scene, spec)) ways += ", or set walls = \"mesh\" for this tool";
+  return ways;
+}
+
 /// The tool's wall spheres; errors in its geometry name the tool.
 geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_diameter,
                             decltype(geometry::WallSphereOptions::reachable) reachable,
@@ -73,10 +84,10 @@ geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_d
     if (scene.numerics.opening == OpeningMeasure::centres) move_to_surface(spheres, tool.solid());
     keep_near_half(scene, spheres);
     return spheres;
+  } catch (const geometry::ThinSolid& thin) {
+    throw SceneError(where + ": " + thin.what() + other_ways_for_sheet(scene, tool.spec, thin.thickness));
   } catch (const geometry::MeshError& error) {
-    const std::string message = error.what();
-    const bool thin = message.find("thinner than a wall sphere") != std::string::npos;
-    throw SceneError(where + ": " + message + (thin ? ", or set walls = \"mesh\" for this tool" : ""));
+    throw SceneError(where + ": " + error.what());
   }
 }
 

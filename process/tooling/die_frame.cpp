@@ -1,5 +1,6 @@
 #include "process/tooling/die_frame.h"
 
+#include "engine/simulation/simulation.h"
 #include "process/measure/cavity_position.h"
 #include "process/tooling/grain_tally.h"
 #include "process/tooling/half_model.h"

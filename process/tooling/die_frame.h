@@ -2,9 +2,13 @@
 // moved.
 #pragma once
 
-#include "engine/simulation/simulation.h"
+#include "engine/walls/walls.h"
 #include "process/results/fill_result.h"
 #include "process/tooling/tooling.h"
+
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

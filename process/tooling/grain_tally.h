@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "engine/simulation/simulation.h"
+#include "engine/powder/particle_types.h"
 
 namespace diefill::process {
 

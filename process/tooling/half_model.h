@@ -4,7 +4,10 @@
 // across the plane.
 #pragma once
 
-#include "engine/simulation/simulation.h"
+#include <vector>
+
+#include "engine/walls/wall_load.h"
+#include "engine/walls/walls.h"
 #include "process/machine/actions/powder_inflow.h"
 #include "process/results/fill_result.h"
 #include "process/tooling/tooling.h"

@@ -1,5 +1,6 @@
 // From a tool's CAD file to its mesh in the laboratory.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <future>
 
 #include "geometry/cad/mesh_import.h"
@@ -12,8 +13,9 @@ namespace diefill::process {
 
 namespace {
 
-constexpr double kChordOverRadius = 0.01;  // facets then stay well below what the wall spheres leave open
-constexpr double kWrapOverRadius = 2;      // finer features vanish between wall spheres
+constexpr double kChordOverRadius = 0.01;   // facets then stay well below what the wall spheres leave open
+constexpr double kWrapOverRadius = 2;       // finer features vanish between wall spheres
+constexpr std::size_t kListedRefusals = 3;  // a damaged mesh has thousands of holes
 
 double wall_radius(const Scene& scene, const ToolSpec& spec) {
   return spec.sphere_radius.value_or(scene.walls.sphere_radius);
@@ -49,7 +51,10 @@ geometry::Mesh placed(geometry::Mesh mesh, const ToolSpec& spec) {
 std::string in_one_line(const Tool& tool) {
   std::string text;
   for (const auto& finding : tool.findings.description()) text += (text.empty() ? "" : "; ") + finding;
-  for (const auto& refused : tool.not_repaired) text += "; not repaired: " + refused;
+  const std::size_t listed = std::min(tool.not_repaired.size(), kListedRefusals);
+  for (std::size_t k = 0; k < listed; ++k) text += "; not repaired: " + tool.not_repaired[k];
+  if (listed < tool.not_repaired.size())
+    text += "; and " + std::to_string(tool.not_repaired.size() - listed) + " more that are not repaired";
   return text;
 }
 
@@ -93,7 +98,8 @@ Tool read_tool(const Scene& scene, const ToolSpec& spec) {
   tool.file_remarks = part.remarks;
   tool.file_hash = hash.get();
   geometry::Mesh mesh = placed(std::move(part.mesh), spec);
-  check_size(mesh, wall_radius(scene, spec), part.metres_per_unit, tool_text(scene, spec));
+  check_size(mesh, wall_radius(scene, spec), {part.metres_per_unit, part.unit_from_file},
+             tool_text(scene, spec));
   examine(std::move(mesh), wall_radius(scene, spec), tool);
   return tool;
 }

@@ -1,6 +1,7 @@
 #include "process/tooling/rest.h"
 
 #include "engine/observe/powder_figures.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::process {
 

@@ -1,10 +1,14 @@
 // When powder is at rest (Bierwisch 2009 gives no criterion; OP-27 recommends this one).
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 
-#include "engine/simulation/simulation.h"
 #include "process/machine/condition.h"
+
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

@@ -72,11 +72,15 @@ double predicted_start(std::size_t k, const Stages& stages, const std::vector<St
   return last;
 }
 
+/// Whether the step ends when its mass is fed, unless its plan stops it before.
+bool feeds_mass(const Step& step) {
+  return step.inflow() != nullptr && step.inflow()->mass;
+}
+
 /// s that it takes to feed the step's mass at its rate, where it has both.
 std::optional<double> feeding_time(const Step& step) {
-  const PowderInflow* inflow = step.inflow();
-  if (inflow == nullptr || !inflow->mass || !inflow->rate) return std::nullopt;
-  return *inflow->mass / *inflow->rate;
+  if (!feeds_mass(step) || !step.inflow()->rate) return std::nullopt;
+  return *step.inflow()->mass / *step.inflow()->rate;
 }
 
 void predict_end(std::size_t k, const Stages& stages, std::vector<StepState>& states, double settling_time) {
@@ -84,11 +88,11 @@ void predict_end(std::size_t k, const Stages& stages, std::vector<StepState>& st
   StepState& state = states[k];
   const auto duration = step.duration();
   double stop = state.started + feeding_time(step).value_or(settling_time);
-  if (step.plan.until && step.open_ended()) {
+  if (step.plan.until && (step.open_ended() || feeds_mass(step))) {
     const auto counts = counts_from(*step.plan.until, stages, states);
     if (!counts) return;
-    stop = std::max(*counts, state.started);
-    if (step.plan.until->measures()) stop += settling_time;
+    const double met = std::max(*counts, state.started) + (step.plan.until->measures() ? settling_time : 0.0);
+    stop = step.open_ended() ? met : std::min(stop, met);
   }
   if (!step.open_ended() && duration) {
     state.ended = state.started + *duration;

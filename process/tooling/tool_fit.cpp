@@ -85,18 +85,19 @@ void refuse_far(const geometry::Mesh& mesh, const std::string& where) {
 
 }  // namespace
 
-void check_size(const geometry::Mesh& mesh, double sphere_radius, double metres_per_unit,
+void check_size(const geometry::Mesh& mesh, double sphere_radius, const FileUnit& unit,
                 const std::string& where) {
   const Eigen::Vector3d size = mesh.bounding_box().size();
   const bool too_large = size.maxCoeff() > kLargestTool, too_small = size.maxCoeff() < 4 * sphere_radius;
   if (!too_large) refuse_far(mesh, where);  // a tool of 200 m is far away only because of its unit
   if (!too_large && !too_small) return;
-  char text[240];
-  std::snprintf(text, sizeof text,
-                ": measures %.4g x %.4g x %.4g mm, %s; check whether length_unit is that of the CAD file",
-                1e3 * size[0], 1e3 * size[1], 1e3 * size[2],
-                too_large ? "allowed: up to 2000 mm" : "too small to be covered with wall spheres");
-  throw SceneError(where + text + likely_unit(size.maxCoeff() / metres_per_unit));
+  char text[300];
+  std::snprintf(text, sizeof text, ": measures %.4g x %.4g x %.4g mm, %s; %s", 1e3 * size[0], 1e3 * size[1],
+                1e3 * size[2],
+                too_large ? "allowed: up to 2000 mm" : "too small to be covered with wall spheres",
+                unit.stated ? "its CAD file states its unit: export it again in the unit that it is drawn in"
+                            : "check whether length_unit is that of the CAD file");
+  throw SceneError(where + text + likely_unit(size.maxCoeff() / unit.metres));
 }
 
 geometry::Penetration deepest_overlap(const Tool& one, const Tool& other, double resolution) {

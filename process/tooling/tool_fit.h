@@ -11,10 +11,15 @@ namespace diefill::process {
 /// "file:line: tool "name"", where messages about a tool begin.
 std::string tool_text(const Scene& scene, const ToolSpec& spec);
 
+/// Unit of length of a CAD file.
+struct FileUnit {
+  double metres = 0;    ///< m per unit
+  bool stated = false;  ///< by the file itself: a length_unit in the scene that differs is refused
+};
+
 /// Throws SceneError (beginning with `where`) when the part is larger than any press or too small to be
-/// covered with wall spheres of that radius (m): its CAD file, read in units of `metres_per_unit`, is in
-/// another one.
-void check_size(const geometry::Mesh& mesh, double sphere_radius, double metres_per_unit,
+/// covered with wall spheres of that radius (m), as when its CAD file is in another unit than `unit`.
+void check_size(const geometry::Mesh& mesh, double sphere_radius, const FileUnit& unit,
                 const std::string& where);
 
 /// How deep one part reaches into the other: of corners exactly, elsewhere to `resolution` (m) or a two

@@ -7,6 +7,7 @@
 
 #include "engine/numerics/fnv1a.h"
 #include "engine/numerics/out_of_range.h"
+#include "engine/simulation/simulation.h"
 #include "process/machine/free_motion.h"
 #include "process/tooling/stages.h"
 

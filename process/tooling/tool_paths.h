@@ -1,13 +1,17 @@
 // Tools that would collide during the steps of a scene.
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "engine/simulation/simulation.h"
 #include "geometry/reach/moving_pair.h"
 #include "process/tooling/tooling.h"
+
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

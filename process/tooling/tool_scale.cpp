@@ -35,9 +35,10 @@ std::string unit_advice(const Tool& tool, double factor) {
                 "factor of %.4g",
                 tool.spec.name.c_str(), tool.spec.line, size[0], size[1], size[2],
                 factor > 1 ? "small" : "large", factor > 1 ? factor : 1 / factor);
-  return text + (unit.empty()
-                     ? std::string("; check the unit of its file")
-                     : ": its file seems to be in " + unit + "; write length_unit = \"" + unit + "\"");
+  if (unit.empty()) return text + std::string("; check the unit of its file");
+  return text + (": its file seems to be in " + unit) +
+         (tool.unit_from_file ? ", but states another unit; export it again in " + unit
+                              : "; write length_unit = \"" + unit + "\"");
 }
 
 }  // namespace diefill::process

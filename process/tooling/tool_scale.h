@@ -15,7 +15,8 @@ std::vector<double> unit_factors();
 /// The mesh as it would be were its file's unit `factor` times as long.
 geometry::Mesh rescaled(const Tool& tool, double factor);
 
-/// What to do about a tool that should be `factor` times as large: names the unit where one is known.
+/// What to do about a tool that should be `factor` times as large: names the unit where one is known, for
+/// length_unit or, where the file states its unit itself, for the export.
 std::string unit_advice(const Tool& tool, double factor);
 
 }  // namespace diefill::process

@@ -205,14 +205,15 @@ std::string glb(const Mesh& mesh, const std::string& name) {
   return bytes + chunks;
 }
 
-std::string three_mf(const std::vector<NamedMesh>& parts, const std::string& unit) {
+std::string three_mf(const std::vector<NamedMesh>& parts, const std::string& unit,
+                     const std::string& type_of_last) {
   std::ostringstream out;
   out << std::setprecision(9) << "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<model unit=\"" << unit
       << "\" xml:lang=\"en-US\" "
          "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"><resources>\n";
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    out << "<object id=\"" << k + 1 << "\" name=\"" << parts[k].first
-        << "\" type=\"model\"><mesh><vertices>\n";
+    out << "<object id=\"" << k + 1 << "\" name=\"" << parts[k].first << "\" type=\""
+        << (k + 1 < parts.size() ? "model" : type_of_last) << "\"><mesh><vertices>\n";
     for (const Eigen::Vector3d& v : parts[k].second.vertices)
       out << "<vertex x=\"" << v.x() << "\" y=\"" << v.y() << "\" z=\"" << v.z() << "\"/>\n";
     out << "</vertices><triangles>\n";

@@ -27,8 +27,10 @@ std::string glb(const Mesh& mesh, const std::string& name);
 
 /// A mesh and what the file calls it.
 using NamedMesh = std::pair<std::string, Mesh>;
-/// The archive that 3MF files are; `unit` as 3MF names it, such as "millimeter".
-std::string three_mf(const std::vector<NamedMesh>& parts, const std::string& unit);
+/// The archive that 3MF files are; `unit` and the type of the last object as 3MF names them, such as
+/// "millimeter" and "support".
+std::string three_mf(const std::vector<NamedMesh>& parts, const std::string& unit,
+                     const std::string& type_of_last = "model");
 /// An archive of files that are not compressed.
 std::string zip(const std::vector<std::pair<std::string, std::string>>& files);
 /// OBJ with one `o` a part, and text STL with one `solid` a part.

@@ -27,7 +27,7 @@ const std::vector<Rule>& rules() {
       {"geometry/cad/referred_files.cpp", {"geometry/"}, {"nlohmann/"}},
       {"geometry/cad/read_curved_faces.cpp",
        {"geometry/"},
-       {"BRep", "IGES", "Interface_", "Message", "Poly_", "STEPCAF", "Standard_", "TColStd_", "TDF_",
+       {"BRep", "Bnd_", "IGES", "Interface_", "Message", "Poly_", "STEPCAF", "Standard_", "TColStd_", "TDF_",
         "TDataStd_", "TDocStd_", "TopExp_", "TopoDS", "XCAFDoc_"}},
       {"process/results/", {"process/results/"}, {"Eigen/", "hdf5.h", "nlohmann/"}},
       {"process/results/studies/quantiles.cpp", {"process/results/"}, {"boost/math/"}},

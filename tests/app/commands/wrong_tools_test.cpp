@@ -56,6 +56,11 @@ cad::Part thin_shoe() {
   return cad::tube(cad::rectangle(-2.8, 2.8, -2.8, 2.8), cad::rectangle(-2.5, 2.5, -2.5, 2.5), 0, 10);
 }
 
+/// One of its walls is `thickness` (mm) thick, the others are over a millimetre.
+cad::Part shoe_with_a_wall_of(double thickness) {
+  return cad::tube(cad::rectangle(-4, 2.5 + thickness, -4, 4), cad::rectangle(-2.5, 2.5, -2.5, 2.5), 0, 10);
+}
+
 const std::string kDieFile = "file = \"die.stl\"", kNumerics = "[numerics]";
 const std::string kPour =
     "from = [\"0.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"5.5 mm\", \"2.5 mm\", \"9 mm\"]";
@@ -110,7 +115,12 @@ std::vector<WrongTool> wrong_meshes() {
        {"tool \"die\"", "has no part \"dye\": it contains \"", "use one of these names"}},
       {"thinner_than_wall_spheres",
        with_file("shoe.stl", cad::binary_stl(thin_shoe())),
-       {"scene.toml:19: tool \"shoe\"", "0.3 mm thick", "wall sphere of 0.5 mm"}},
+       {"scene.toml:19: tool \"shoe\"", "0.3 mm thick",
+        "wall sphere of 0.5 mm diameter: thicken the part, or reduce sphere_radius below 0.15 mm, or set "
+        "walls = \"mesh\" for this tool"}},
+      {"far_thinner_than_wall_spheres_may_be",
+       with_file("shoe.stl", cad::binary_stl(shoe_with_a_wall_of(1.0 / 1024))),
+       {"0.0009766 mm thick", "diameter: thicken the part, or set walls = \"mesh\" for this tool"}},
       {"unit_of_the_file_too_small",
        with_scene("length_unit = \"mm\"", "length_unit = \"um\""),
        {"tool \"die\""}},
@@ -188,6 +198,17 @@ TEST_P(WrongTools, EndInOneLineAndWriteNothing) {
     EXPECT_NE(outcome.err.find(part), std::string::npos)
         << "missing: " << part << "\nin:      " << outcome.err;
   EXPECT_EQ(SmallDie::files_in(die.folder()), files_before);
+}
+
+TEST(WrongMeshWalls, AreNotToldToBecomeMeshWalls) {
+  const SmallDie die;
+  die.write("shoe.stl", cad::binary_stl(shoe_with_a_wall_of(0.01)));
+  die.exchange("role = \"shoe\"", "role = \"shoe\"\nwalls = \"mesh\"");
+  const Outcome outcome = die.check();
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("thicken the part, or reduce sphere_radius below 0.005 mm"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(outcome.err.find("walls ="), std::string::npos) << outcome.err;
 }
 
 std::string name_of(const testing::TestParamInfo<WrongTool>& instance) {

@@ -118,6 +118,19 @@ TEST(CadFormats, PartsArePickedByName) {
   }
 }
 
+TEST(CadFormats, SupportsForPrintingAreNoPartOfATool) {
+  const TemporaryFolder directory;
+  const std::vector<sample::NamedMesh> parts = {{"die", sample::box({0, 0, 0}, {10, 10, 10})},
+                                                {"prop", sample::box({20, 0, 0}, {23, 4, 5})}};
+  for (const std::string type : {"support", "solidsupport"}) {
+    const auto file = directory.write("die.3mf", sample::three_mf(parts, "millimeter", type));
+    const ImportedPart part = import_part(file, {});
+    EXPECT_NEAR(part.mesh.volume(), 1e-6, 1e-14) << type;
+    EXPECT_EQ(part.parts, std::vector<std::string>{"die"});
+    EXPECT_EQ(part.remarks, std::vector<std::string>{"supports for printing ignored: 1"});
+  }
+}
+
 TEST(CadFormats, PartsOfOneNameHaveToBeToldApart) {
   const TemporaryFolder directory;
   const std::vector<sample::NamedMesh> parts = {{"pin", sample::box({0, 0, 0}, {1, 1, 1})},

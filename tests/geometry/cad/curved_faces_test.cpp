@@ -41,15 +41,28 @@ TEST(CurvedFaces, IgesGivesTheSameShoe) {
   EXPECT_NEAR(shoe.mesh.volume(), (38 * 56 - 32 * 50) * 37e-9, 1e-13);
 }
 
-TEST(CurvedFaces, UnitComesFromTheFile) {
-  const support::TemporaryFolder directory;
-  std::string text = support::contents(kTools + "shoe/shoe.step");
+/// The bytes of that file with metres as the unit of its numbers, which are of millimetres.
+std::string in_metres(const std::string& file) {
+  std::string text = support::contents(file);
   const std::string millimetre = "SI_UNIT(.MILLI.,.METRE.)";
   for (std::size_t at = text.find(millimetre); at != std::string::npos; at = text.find(millimetre))
     text.replace(at, millimetre.size(), "SI_UNIT($,.METRE.)");
-  const ImportedPart shoe = part_of(directory.write("metres.step", text), "");
+  return text;
+}
+
+TEST(CurvedFaces, UnitComesFromTheFile) {
+  const support::TemporaryFolder directory;
+  const ImportedPart shoe = part_of(directory.write("metres.step", in_metres(kTools + "shoe/shoe.step")), "");
   EXPECT_DOUBLE_EQ(shoe.metres_per_unit, 1);
   EXPECT_NEAR(shoe.mesh.bounding_box().size().x(), 38, 1e-6);
+}
+
+TEST(CurvedFaces, OfAPartInAWrongUnitAreReadCoarsely) {
+  const support::TemporaryFolder directory;
+  const auto file = directory.write("ring.step", in_metres(kTools + "narrow_ring/narrow_ring_d1.88.step"));
+  const ImportedPart rod = part_of(file, "core rod");
+  EXPECT_NEAR(rod.mesh.bounding_box().size().x(), 16, 1e-2);
+  EXPECT_LT(rod.mesh.triangles.size(), 1000U);
 }
 
 /// The shoe's STEP file without the units that it states for lengths.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/geometry/sample_meshes.h"
@@ -71,6 +72,24 @@ TEST(MeshRepair, FillsASmallHole) {
   Mesh mesh = tube();
   mesh.triangles.erase(mesh.triangles.begin() + 40);
   expect_repaired(mesh, tube().volume(), "a hole of ");
+}
+
+TEST(MeshRepair, FillsHolesThatTouchAtACorner) {
+  const Mesh whole = sample::cylinder(0.01, 0.01, 90);
+  Mesh mesh = whole;
+  // Two triangles of an end, which is a fan, have only its hub in common.
+  const auto of_the_end = [&](const Eigen::Vector3i& triangle) {
+    return mesh.vertices[static_cast<std::size_t>(triangle[0])].z() == 0.01 &&
+           mesh.vertices[static_cast<std::size_t>(triangle[1])].z() == 0.01 &&
+           mesh.vertices[static_cast<std::size_t>(triangle[2])].z() == 0.01;
+  };
+  for (const int apart : {0, 10}) {
+    auto found = std::find_if(mesh.triangles.begin(), mesh.triangles.end(), of_the_end);
+    for (int k = 0; k < apart; ++k) found = std::find_if(found + 1, mesh.triangles.end(), of_the_end);
+    mesh.triangles.erase(found);
+  }
+  ASSERT_EQ(check_mesh(mesh).open_edges, 6U);
+  expect_repaired(mesh, whole.volume(), "a hole of 3.49 mm2 filled");
 }
 
 TEST(MeshRepair, RefusesToCloseWhatMayBeAnOpening) {

@@ -71,10 +71,11 @@ TEST(WallSpheres, RefuseAPlateThinnerThanASphere) {
   try {
     make_wall_spheres(mesh, options());
     FAIL() << "a plate of 1.9 R was taken";
-  } catch (const MeshError& error) {
-    const std::string message = error.what();
+  } catch (const ThinSolid& thin) {
+    const std::string message = thin.what();
     EXPECT_NE(message.find("only 0.285 mm thick"), std::string::npos) << message;
-    EXPECT_NE(message.find("below 0.1425 mm"), std::string::npos) << message;
+    EXPECT_NE(message.find("thicken the part"), std::string::npos) << message;
+    EXPECT_NEAR(thin.thickness, 1.9 * kRadius, 1e-9);
   }
 }
 

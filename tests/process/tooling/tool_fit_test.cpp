@@ -17,9 +17,9 @@ geometry::Mesh tool_at(const Eigen::Vector3d& middle, double size) {
 }
 
 /// What is said of a tool of that `size` (m) at `middle`, in mm; nothing where it is taken.
-std::string complaint(const Eigen::Vector3d& middle, double size) {
+std::string complaint(const Eigen::Vector3d& middle, double size, bool file_states_unit = false) {
   try {
-    check_size(tool_at(middle, size), 1.5e-4, 1e-3, "tool \"die\"");
+    check_size(tool_at(middle, size), 1.5e-4, {1e-3, file_states_unit}, "tool \"die\"");
   } catch (const SceneError& error) {
     return error.what();
   }
@@ -53,6 +53,14 @@ TEST(ToolFit, ATinyToolIsToldAboutItsUnit) {
   const std::string message = complaint({0, 0, 0}, 5e-5);
   expect_says(message, "too small to be covered with wall spheres; check whether length_unit");
   expect_says(message, "50 mm in \"m\"");
+}
+
+TEST(ToolFit, WhereTheFileStatesItsUnitLengthUnitIsNotTheRemedy) {
+  for (const double size : {200.0, 5e-5}) {
+    const std::string message = complaint({0, 0, 0}, size, true);
+    expect_says(message, "its CAD file states its unit: export it again in the unit that it is drawn in (");
+    EXPECT_EQ(message.find("length_unit"), std::string::npos) << message;
+  }
 }
 
 /// A tool of that name whose mesh is that of `size` (m) about `middle`.
