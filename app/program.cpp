@@ -18,13 +18,13 @@ namespace {
 
 /// What CLI11 says of arguments; where it gives only counts, what to do.
 std::string argument_message(const CLI::Error& error) {
-  const std::string said = error.what();
-  const std::string option = said.substr(0, said.find(": "));
-  if (error.get_name() != "ArgumentMismatch") return said;
-  if (said.find(": At Most 1 required") != std::string::npos)
+  const std::string message = error.what();
+  const std::string option = message.substr(0, message.find(": "));
+  if (error.get_name() != "ArgumentMismatch") return message;
+  if (message.find(": At Most 1 required") != std::string::npos)
     return option + ": found more than one value, allowed: one; give it once";
-  if (said.ends_with(" missing")) return option + ": found no value; write one behind it";
-  return said;
+  if (message.ends_with(" missing")) return option + ": found no value; write one behind it";
+  return message;
 }
 
 /// The error in the command-line arguments, on one line. An unknown argument comes first, because other

@@ -15,10 +15,10 @@ folder=build
 optional="format of the sources||clang-format-14
 Python package|python[.]Package|python3-numpy python3-pytest
 Python package against h5py, and its tutorial||python3-h5py python3-matplotlib
-views in a browser|app[.]View[.]|chromium
+views in a browser|app[.]View|chromium
 films||ffmpeg
 runs on ranks|cluster[.]OnRanks|liblammps-dev libopenmpi-dev openmpi-bin
-whole scenes on ranks|app[.]Ranks[.]|liblammps-dev libopenmpi-dev openmpi-bin"
+whole scenes on ranks|app[.]Ranks|liblammps-dev libopenmpi-dev openmpi-bin"
 
 installed() {
   for package in "$@"; do

@@ -22,6 +22,8 @@
 #include "app/output.h"
 #include "app/tables/json_text.h"
 #include "engine/observe/memory_traffic.h"
+#include "engine/observe/powder_figures.h"
+#include "engine/simulation/simulation.h"
 #include "process/input/scene_error.h"
 #include "process/input/units.h"
 #include "process/laboratory/benchmark_bed.h"
@@ -83,7 +85,7 @@ nlohmann::ordered_json timed(engine::Simulation& simulation, int steps, double b
   for (int k = 0; k < steps; ++k) simulation.step();
   const double cpu_seconds = static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC;
   const auto after = simulation.timers().seconds();
-  const double spheres = static_cast<double>(simulation.grains().size() * simulation.types().spheres());
+  const auto spheres = static_cast<double>(engine::sphere_count(simulation));
   double seconds = 0;
   nlohmann::ordered_json phases;
   for (std::size_t p = 0; p < after.size(); ++p) {
@@ -158,7 +160,7 @@ process::laboratory::BenchmarkBedState wanted_bed(const BenchOptions& options) {
 }
 
 /// The command-line arguments that select the bed or scene.
-std::vector<std::string> words_of_bench(const BenchOptions& options) {
+std::vector<std::string> bench_arguments(const BenchOptions& options) {
   std::vector<std::string> words = {"bench", options.bed, "--steps", std::to_string(options.steps)};
   const auto add = [&](const std::string& name, const std::string& value) {
     words.insert(words.end(), {name, value});
@@ -175,7 +177,7 @@ std::vector<std::string> words_of_bench(const BenchOptions& options) {
 /// Measures threads against copies with the same command-line arguments.
 int against_copies(const BenchOptions& options) {
   CopiesBenchmark benchmark;
-  benchmark.words = words_of_bench(options);
+  benchmark.words = bench_arguments(options);
   benchmark.threads = options.threads;
   benchmark.repeats = options.repeats;
   benchmark.json = options.json;
@@ -249,51 +251,60 @@ CLI::Validator bed_or_scene() {
   });
 }
 
+/// Options of the bed: its law, where it starts and its size.
+void add_bed(CLI::App& command, BenchOptions& options) {
+  command
+      .add_option("BED", options.bed,
+                  "spheres, clumps (model D), or a scene file (TOML) with the --state of a run of it")
+      ->required()
+      ->check(bed_or_scene());
+  command
+      .add_option("--law", options.law, "contact law: bierwisch (the tuned one), or one composed of parts")
+      ->check(one_of(process::laboratory::benchmark_laws()))
+      ->capture_default_str();
+  command
+      .add_option("--state", options.state,
+                  "settled bed to start from (CSV, plain or gzip; default: generate one); for a scene, the "
+                  "directory of a stopped run")
+      ->check(CLI::ExistingPath);
+  command.add_option("--width", options.width, "side in mm of the periodic box of --state")
+      ->check(number_within(1.0, 1000.0))
+      ->needs("--state");
+  command
+      .add_option("--copies", options.copies,
+                  "N: start from N x N copies of --state side by side, to measure the effect of size")
+      ->check(whole_number(1, 100))
+      ->needs("--state");
+}
+
+/// Options of what is measured, and how long.
+void add_measurement(CLI::App& command, BenchOptions& options) {
+  auto* traced =
+      command.add_option("--trace", options.trace,
+                         "instead of timing, write kinetic energies and the final grains to this folder");
+  command.add_option("--every", options.every, "steps between energy outputs of --trace")
+      ->check(whole_number(1, 100000000))
+      ->needs(traced);
+  command.add_option("--spheres", options.spheres, "size of a generated bed")
+      ->check(whole_number(1000, 20000000));
+  command.add_option("--threads", options.threads, "threads")->check(whole_number(1, 1024));
+  command.add_option("--steps", options.steps, "steps to time")->check(whole_number(1, 100000000));
+  auto* copies =
+      command.add_flag("--against-copies", options.against_copies,
+                       "time N threads alternately with N pinned programs of one thread each (N: --threads)");
+  command.add_option("--repeats", options.repeats, "measurements of --against-copies; the median is printed")
+      ->check(whole_number(1, 1000))
+      ->needs(copies);
+  command.add_flag("--json", options.json, "print JSON");
+}
+
 }  // namespace
 
 void add_bench(CLI::App& program, Action& chosen) {
   auto* command = program.add_subcommand("bench", "Time the engine on a settled bed, or in a running scene");
   auto options = std::make_shared<BenchOptions>();
-  command
-      ->add_option("BED", options->bed,
-                   "spheres, clumps (model D), or a scene file (TOML) with the --state of a run of it")
-      ->required()
-      ->check(bed_or_scene());
-  command
-      ->add_option("--law", options->law, "contact law: bierwisch (the tuned one), or one composed of parts")
-      ->check(one_of(process::laboratory::benchmark_laws()))
-      ->capture_default_str();
-  command
-      ->add_option("--state", options->state,
-                   "settled bed to start from (CSV, plain or gzip; default: generate one); for a scene, the "
-                   "directory of a stopped run")
-      ->check(CLI::ExistingPath);
-  command->add_option("--width", options->width, "side in mm of the periodic box of --state")
-      ->check(number_within(1.0, 1000.0))
-      ->needs("--state");
-  command
-      ->add_option("--copies", options->copies,
-                   "N: start from N x N copies of --state side by side, to measure the effect of size")
-      ->check(whole_number(1, 100))
-      ->needs("--state");
-  auto* traced =
-      command->add_option("--trace", options->trace,
-                          "instead of timing, write kinetic energies and the final grains to this folder");
-  command->add_option("--every", options->every, "steps between energy outputs of --trace")
-      ->check(whole_number(1, 100000000))
-      ->needs(traced);
-  command->add_option("--spheres", options->spheres, "size of a generated bed")
-      ->check(whole_number(1000, 20000000));
-  command->add_option("--threads", options->threads, "threads")->check(whole_number(1, 1024));
-  command->add_option("--steps", options->steps, "steps to time")->check(whole_number(1, 100000000));
-  auto* copies = command->add_flag(
-      "--against-copies", options->against_copies,
-      "time N threads alternately with N pinned programs of one thread each (N: --threads)");
-  command
-      ->add_option("--repeats", options->repeats, "measurements of --against-copies; the median is printed")
-      ->check(whole_number(1, 1000))
-      ->needs(copies);
-  command->add_flag("--json", options->json, "print JSON");
+  add_bed(*command, *options);
+  add_measurement(*command, *options);
   command->footer(
       "Examples:\n  diefill bench clumps\n  diefill bench spheres --law hertz-mindlin --threads 2 --json\n"
       "  diefill bench my_die.toml --state out/my_die --threads 8 --against-copies\n"

@@ -71,7 +71,7 @@ void refuse_to_replace_inputs(const CalibrateArguments& arguments, const std::fi
 
 void back_up_earlier_tables(const std::filesystem::path& directory, const results::Calibration& account) {
   if (const auto folder = process::back_up_earlier_tables(directory, account))
-    print_note("note: earlier tables with what this call does not have were moved to " + folder->string());
+    print_note("note: earlier results with what this call does not have were moved to " + folder->string());
 }
 
 calibration::CalibrateOptions options_of(const CalibrateArguments& arguments,
@@ -184,7 +184,11 @@ void add_options(CLI::App& command, CalibrateArguments& arguments) {
     exporting->excludes(other);
     collecting->excludes(other);
   }
-  for (const char* other : {"--pdf", "--resume", "--jobs", "--threads"}) exporting->excludes(other);
+  for (const char* other : {"--resume", "--jobs", "--threads"}) {
+    exporting->excludes(other);
+    collecting->excludes(other);
+  }
+  exporting->excludes("--pdf");
 }
 
 }  // namespace

@@ -221,7 +221,7 @@ int check(const CheckArguments& arguments) {
   print_cavities(tooling);
   print_simulation(scene, tooling, predicted);
   print_unchecked(variants);
-  print_alerts(words_of(setup));
+  print_alerts(finding_lines(setup));
   if (!arguments.picture.empty()) std::printf("picture: %s\n", arguments.picture.c_str());
   return kDone;
 }

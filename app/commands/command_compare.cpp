@@ -29,7 +29,7 @@ struct CompareArguments {
   std::string scene, setting, out, export_to, collect_from;
   std::vector<std::string> measured;
   int jobs = 1, seeds = 1;
-  bool quiet = false;
+  bool quiet = false, no_pictures = false;
 };
 
 /// The exit code: 0 where every run is finished.
@@ -167,11 +167,37 @@ int compare(const CompareArguments& arguments) {
   options.at_once = arguments.jobs;
   options.cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   options.share_starts = true;
+  options.pictures = !arguments.no_pictures;
   options.show_progress = !arguments.quiet;
   options.stop = &install_stop_handlers();
   options.watch = live_jobs(directory, "Comparison: " + list.title);
   process::run_jobs(directory, list, options);
   return gather(directory, measured);
+}
+
+/// Options of where results go, and of what is done instead of running.
+void add_destinations(CLI::App& command, CompareArguments& arguments) {
+  auto* measured =
+      command
+          .add_option("--measured", arguments.measured,
+                      "CSV of a measured profile or map; its difference from each run is compared too")
+          ->allow_extra_args(false);
+  command.add_option("--out", arguments.out, "directory for results (default: out/<folder>_<scene>)");
+  command.add_flag("--quiet", arguments.quiet, "print no progress");
+  auto* exporting =
+      command
+          .add_option("--export-jobs", arguments.export_to,
+                      "do not run: write scenes, command lines and job scripts to this directory")
+          ->excludes(measured)
+          ->excludes("--no-pictures");
+  command
+      .add_option("--collect", arguments.collect_from, "do not run: collect the results of such a directory")
+      ->excludes(exporting)
+      ->excludes("--setting")
+      ->excludes("--seeds")
+      ->excludes("--jobs")
+      ->excludes("--no-pictures")
+      ->excludes("--out");
 }
 
 }  // namespace
@@ -187,27 +213,10 @@ void add_compare(CLI::App& program, Action& chosen) {
   command->add_option("--jobs", arguments->jobs, "runs at a time, sharing the cores (default: 1)")
       ->check(whole_number(1, 1024));
   add_renderer(*command);
+  command->add_flag("--no-pictures", arguments->no_pictures,
+                    "draw nothing of the runs; use diefill map later");
   add_setting(*command, arguments->setting);
-  auto* measured =
-      command
-          ->add_option("--measured", arguments->measured,
-                       "CSV of a measured profile or map; its difference from each run is compared too")
-          ->allow_extra_args(false);
-  command->add_option("--out", arguments->out, "directory for results (default: out/<folder>_<scene>)");
-  command->add_flag("--quiet", arguments->quiet, "print no progress");
-  auto* exporting =
-      command
-          ->add_option("--export-jobs", arguments->export_to,
-                       "do not run: write scenes, command lines and job scripts to this directory")
-          ->excludes(measured);
-  command
-      ->add_option("--collect", arguments->collect_from,
-                   "do not run: collect the results of such a directory")
-      ->excludes(exporting)
-      ->excludes("--setting")
-      ->excludes("--seeds")
-      ->excludes("--jobs")
-      ->excludes("--out");
+  add_destinations(*command, *arguments);
   command->footer(
       "Examples:\n"
       "  diefill compare sample_tools/narrow_ring/strategies.toml --jobs 2 --seeds 3\n"

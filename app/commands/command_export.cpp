@@ -121,13 +121,11 @@ void add_export(CLI::App& program, Action& chosen) {
   add_density_options(*command, arguments->density);
   command->footer(
       "Writes powder.vtp (grains with velocity, solid fraction, pressure), tools.vtp, and fields.vti "
-      "(Gaussian averages over the cavity). If the scene sets measure.snapshot_interval, also writes "
-      "filling.pvd, which plays powder, tools and fields over time, and its files powder_*.vtp, tool_*.vtp "
-      "and "
-      "fields_*.vti. "
-      "Lengths are in m.\n\nWith --density-for or --density-grid it writes the density instead: CSV, VTU or "
-      "VTI, "
-      "and *INITIAL CONDITIONS cards for Abaqus (relative density) and CalculiX.\n\n"
+      "(Gaussian\naverages over the cavity). If the scene sets measure.snapshot_interval, also writes "
+      "filling.pvd, which plays powder,\ntools and fields over time, and its files powder_*.vtp, tool_*.vtp "
+      "and fields_*.vti. Lengths are in m.\n\n"
+      "With --density-for or --density-grid it writes the density instead: CSV, VTU or VTI, and\n"
+      "*INITIAL CONDITIONS cards for Abaqus (relative density) and CalculiX.\n\n"
       "Examples:\n  diefill export out/narrow_ring\n"
       "  diefill export out/stepped_part --density-for stepped_part.msh --mesh-unit mm\n"
       "  diefill export out/stepped_part --density-grid '0.5 mm'");

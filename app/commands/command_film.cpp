@@ -147,10 +147,10 @@ void make_film(const fs::path& directory, const fs::path& to, const std::string&
                                  "--out", to.string(), "--colour-by", colour_by},
                                 log);
   while (!program.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  const std::string said = results::contents_or_nothing(log).value_or("");
-  if (*program.ended() != kDone) throw std::runtime_error("film " + directory.string() + ": " + said);
+  const std::string output = results::contents_or_nothing(log).value_or("");
+  if (*program.ended() != kDone) throw std::runtime_error("film " + directory.string() + ": " + output);
   fs::remove(log);
-  std::printf("%s", said.c_str());
+  std::printf("%s", output.c_str());
 }
 
 void add_film(CLI::App& program, Action& chosen) {
@@ -172,8 +172,7 @@ void add_film(CLI::App& program, Action& chosen) {
   add_view_options(*command, arguments->look);
   command->footer(
       "The filling over time needs measure.snapshot_interval in the scene. Without ffmpeg the frames are "
-      "kept as "
-      "PNG files. Where a shoe crosses the cavity, the view stays close to the cavity.\n"
+      "kept as\nPNG files. Where a shoe crosses the cavity, the view stays close to the cavity.\n"
       "Examples:\n"
       "  diefill film out/narrow_ring\n"
       "  diefill film out/narrow_ring --turntable --tools translucent\n"

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -75,16 +74,19 @@ results::ExperimentResult perform_telling(const Experiment& one,
   return process::laboratory::perform(one, options);
 }
 
-bool have_published_figures(const std::vector<Experiment>& experiments) {
-  return std::any_of(experiments.begin(), experiments.end(),
-                     [](const Experiment& one) { return one.has_published_figures; });
+/// Ids of the published figures that the results are compared with.
+std::vector<std::string> published_figures_of(const std::vector<Experiment>& experiments) {
+  std::vector<std::string> ids;
+  for (const auto& one : experiments)
+    ids.insert(ids.end(), one.published_figures.begin(), one.published_figures.end());
+  return ids;
 }
 
 int experiment(const Family& family, const LabArguments& arguments) {
   const auto experiments = wanted(family, arguments.name);
   // Before the experiments, which may take hours.
-  const auto published =
-      have_published_figures(experiments) ? published_figures_in(arguments.scenes) : PublishedFigures();
+  const auto ids = published_figures_of(experiments);
+  const auto published = ids.empty() ? PublishedFigures() : published_figures_in(arguments.scenes, ids);
   const std::filesystem::path out = arguments.out.empty() ? std::string("out/") + family.name : arguments.out;
   make_output_directory(out);
   set_up_drawing();
@@ -113,7 +115,7 @@ void add_family(CLI::App& lab, const Family& family, Action& chosen) {
                       std::string("directory for tables and charts (default: out/") + family.name + ")");
   command->add_option("--threads", arguments->options.threads, "number of threads; does not affect results")
       ->check(whole_number(1, 1024));
-  if (have_published_figures(family.experiments()))
+  if (!published_figures_of(family.experiments()).empty())
     command->add_option("--scenes", arguments->scenes,
                         "folder of the published figures (default: sample_tools/laboratory that comes with "
                         "the program)");

@@ -271,7 +271,7 @@ constexpr const char* kExamples =
     "  diefill map out/narrow_ring --picture displacement --from '0.2 s' --to '0.4 s'\n"
     "  diefill map out/slit --picture velocity-section --time-average --from '0.5 s' --to '0.6 s'\n"
     "  diefill map out/slow out/fast --y 'filled mass'\n"
-    "  diefill map out/pressed --x 'piston/z' --y 'piston/F_z'\n"
+    "  diefill map out/pressed --x 'press/shift z' --y 'press/force z'\n"
     "  diefill map out/narrow_ring --picture view --tools translucent --camera corner --width 3200";
 
 /// Where the pictures are taken.
@@ -304,11 +304,13 @@ void add_time_options(CLI::App& command, MapArguments& arguments) {
 
 /// Columns of probes to draw.
 void add_probe_options(CLI::App& command, MapArguments& arguments) {
-  command.add_option("--x", arguments.x, "column of a probe along x, such as 'piston/z' (default: the time)");
+  command.add_option("--x", arguments.x,
+                     "column of a probe along x, such as 'press/shift z' (default: the time)");
   command
-      .add_option("--y", arguments.y,
-                  "column of a probe to draw, such as 'piston/F_z' or 'zone rim/solid fraction'; several of "
-                  "one unit in one chart")
+      .add_option(
+          "--y", arguments.y,
+          "column of a probe to draw, such as 'press/force z' or 'zone rim/solid fraction'; several of "
+          "one unit in one chart")
       ->allow_extra_args(false);
 }
 

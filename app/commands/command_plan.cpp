@@ -56,7 +56,7 @@ void print_within_error(const process::plan::Plan& plan, double error,
   }
   const auto& choice = plan.choices[*best];
   std::printf("error up to %.4g: %s (%s)\n", error, choice.name.c_str(),
-              process::plan::words_of(choice.errors).c_str());
+              process::plan::text_of_errors(choice.errors).c_str());
 }
 
 void print_json(const nlohmann::ordered_json& json) {
@@ -167,9 +167,8 @@ int plan(const PlanArguments& arguments) {
 constexpr const char* kPlanFooter =
     "Reads the tools, begins with what diefill estimate says, runs the scene with less and coarser powder "
     "for about\nten seconds (once per machine: the pilot is kept in ~/.cache/diefill/pilots), and prints "
-    "what the scene needs and what it would cost as written and with the settings quick, working and "
-    "reference "
-    "(diefill run --setting).\n"
+    "what the scene needs and\nwhat it would cost as written and with the settings quick, working and "
+    "reference (diefill run --setting).\n"
     "Examples:\n  diefill plan sample_tools/narrow_ring/fill.toml\n"
     "  diefill plan my_die.toml --minutes 60\n"
     "  diefill plan my_die.toml --json --no-benchmark\n"

@@ -93,8 +93,9 @@ void note_expected_errors(const process::Scene& scene, const process::Tooling& t
       process::plan::expected_errors(process::powder_as_published(scene), scene.powder.grain_diameter,
                                      process::plan::lengths_of(scene, tooling, opening));
   if (!errors.empty())
-    result.warnings.push_back("errors to be expected of this grain size: " + process::plan::words_of(errors) +
-                              "; measured in " + errors.front().source);
+    result.warnings.push_back(
+        "errors to be expected of this grain size: " + process::plan::text_of_errors(errors) +
+        "; measured in " + errors.front().source);
 }
 
 /// Says that numerics.max_time was over before the scene.
@@ -195,7 +196,7 @@ int run(const RunArguments& arguments) {
   release_freed_memory();
   options.stop = &install_stop_handlers();
   process::FillRun fill(scene, tooling, options);  // refuses what cannot be begun, in one line
-  print_alerts(words_of(process::setup_findings(scene, tooling)));
+  print_alerts(finding_lines(process::setup_findings(scene, tooling)));
   if (!output) output.emplace(options.directory);
   if (!options.shared_starts.empty()) make_output_directory(options.shared_starts, "--beginnings");
   clear_for_run(options.directory, arguments.resume, files);

@@ -291,8 +291,11 @@ void add_fidelity(CLI::App& lab, Action& chosen) {
 
 }  // namespace
 
-PublishedFigures published_figures_in(const std::string& scenes) {
-  return laboratory::read_published_figures(scenes_folder(scenes) / laboratory::kPublishedFigures);
+PublishedFigures published_figures_in(const std::string& scenes, const std::vector<std::string>& ids) {
+  const fs::path file = scenes_folder(scenes) / laboratory::kPublishedFigures;
+  PublishedFigures figures = laboratory::read_published_figures(file);
+  laboratory::require_figures(figures, ids, file);
+  return figures;
 }
 
 void write_figures(const std::filesystem::path& directory, const results::ExperimentResult& result,

@@ -18,8 +18,8 @@ void add_lab_experiments(CLI::App& lab, Action& chosen);
 using PublishedFigures = std::vector<process::laboratory::PublishedFigure>;
 
 /// The published figures in the folder `scenes`; where that is empty, in the one that comes with the program.
-/// Throws SceneError where there are none.
-PublishedFigures published_figures_in(const std::string& scenes);
+/// Throws SceneError where there are none, or one of `ids` is missing.
+PublishedFigures published_figures_in(const std::string& scenes, const std::vector<std::string>& ids = {});
 
 /// Prints and writes what an experiment of a family has of published figures, as <experiment>_figures.csv
 /// and .json; nothing where it has none. Throws results::ResultError.

@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string percent(double share) {
+/// Rounded down, so that 100 % stands for all.
+std::string percent_rounded_down(double share) {
   return std::to_string(static_cast<int>(100 * share)) + " %";
 }
 
@@ -37,7 +38,8 @@ render::report::LivePage page_of(const process::JobListProgress& all, const std:
                (page.over ? "" : time_left(all));
   page.header = {"Run", "Seed", "State", "Done", "Time"};
   for (const auto& job : all.jobs) {
-    page.rows.push_back({job.job->variant, std::to_string(job.job->seed), job.state, percent(job.share),
+    page.rows.push_back({job.job->variant, std::to_string(job.job->seed), job.state,
+                         percent_rounded_down(job.share),
                          job.seconds > 0 ? process::duration_text(job.seconds) : "–"});
     const fs::path own = fs::path(job.job->folder) / kLivePage;
     page.links.push_back(fs::exists(directory / own) ? own.generic_string() : "");

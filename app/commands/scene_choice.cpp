@@ -132,13 +132,13 @@ std::vector<process::Variant> chosen_variants(const std::string& file, const std
     return variants;
   }
   variants = process::plan::with_setting(std::move(variants), process::setting_named(setting));
-  std::vector<std::string> said;
+  std::vector<std::string> printed;
   for (const auto& variant : variants) {
     const auto chosen = process::chosen_numbers_in(variant.scene.text);
-    if (chosen == said) continue;
+    if (chosen == printed) continue;
     std::fprintf(stderr, "from \"%s\" on, ", variant.name.c_str());
     print_setting_choices(variant.scene);
-    said = chosen;
+    printed = chosen;
   }
   return variants;
 }

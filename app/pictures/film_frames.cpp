@@ -54,12 +54,6 @@ render::ViewChoice common_view(const PictureRequest& request, bool turntable) {
   return common;
 }
 
-std::vector<const results::FillResult*> results_of(const PictureRequest& request) {
-  std::vector<const results::FillResult*> results;
-  for (const auto& source : request.sources) results.push_back(&source.result);
-  return results;
-}
-
 }  // namespace
 
 render::ViewChoice view_of_film(const results::FillResult& result, const render::Camera& camera) {
@@ -90,7 +84,7 @@ void FilmFrames::prepare() {
     common_.lower = range.lower;
     common_.upper = range.upper;
   }
-  fix_speed_scale(common_, request.colour_by, results);
+  fix_scale(common_, request.colour_by, results);
   view_ = common_view(request, turntable_);
 }
 

@@ -43,8 +43,7 @@ void colour_by_powder(render::ViewOptions& options, const results::PowderState& 
     const auto place = std::lower_bound(sorted.begin(), sorted.end(), name);
     numbers.push_back(static_cast<double>(1 + (place - sorted.begin())));
   }
-  for (std::size_t n = 0; n < sorted.size(); ++n)
-    options.quantity += (n == 0 ? "powder: " : ", ") + std::to_string(n + 1) + " " + sorted[n];
+  options.kinds = sorted;
   for (const auto kind : powder.kind) options.values.push_back(numbers[kind]);
 }
 
@@ -65,6 +64,22 @@ std::vector<double> pressures(const results::FillResult& result) {
   return values;
 }
 
+/// m/s, of all grains at all instants, or at the end where no instants are kept.
+std::vector<double> speeds_over_time(const results::FillResult& result) {
+  std::vector<double> speeds;
+  for (const auto& instant : result.instants)
+    for (const auto& velocity : instant.velocity) speeds.push_back(velocity.norm());
+  if (result.instants.empty())
+    for (const auto& velocity : result.powder.velocity) speeds.push_back(velocity.norm());
+  return speeds;
+}
+
+std::vector<double> values_at_end(const results::FillResult& result, const std::string& by) {
+  render::ViewOptions options;
+  colour_grains(options, by, result, result);
+  return options.values.empty() ? render::fractions_of_closed_cells(result) : options.values;
+}
+
 }  // namespace
 
 const std::vector<std::string>& grain_colours() {
@@ -76,6 +91,7 @@ const std::vector<std::string>& grain_colours() {
 void colour_grains(render::ViewOptions& options, const std::string& by, const results::FillResult& result,
                    const results::FillResult& whole) {
   options.values.clear();
+  options.kinds.clear();
   if (by == "solid-fraction") return;
   options.grey_means = "no value";
   if (by == "speed") {
@@ -83,7 +99,7 @@ void colour_grains(render::ViewOptions& options, const std::string& by, const re
     options.unit = "m/s";
     for (const auto& velocity : result.powder.velocity) options.values.push_back(velocity.norm());
   } else if (by == "powder") {
-    options.quantity.clear();
+    options.quantity = "powder";
     colour_by_powder(options, result.powder);
   } else if (by == "diameter") {
     options.quantity = "grain diameter";
@@ -104,16 +120,18 @@ void colour_grains(render::ViewOptions& options, const std::string& by, const re
   }
 }
 
-void fix_speed_scale(render::ViewOptions& options, const std::string& by,
-                     const std::vector<const results::FillResult*>& results) {
-  if (by != "speed" || !std::isnan(options.upper)) return;
-  std::vector<double> speeds;
-  for (const auto* result : results)
-    for (const auto& instant : result->instants)
-      for (const auto& velocity : instant.velocity) speeds.push_back(velocity.norm());
-  if (speeds.empty()) return;
-  options.lower = 0;
-  options.upper = render::robust_range(speeds).upper;
+void fix_scale(render::ViewOptions& options, const std::string& by,
+               const std::vector<const results::FillResult*>& results) {
+  if (by == "powder" || (!std::isnan(options.lower) && !std::isnan(options.upper))) return;
+  std::vector<double> values;
+  for (const auto* result : results) {
+    const std::vector<double> own = by == "speed" ? speeds_over_time(*result) : values_at_end(*result, by);
+    values.insert(values.end(), own.begin(), own.end());
+  }
+  if (std::ranges::none_of(values, [](double value) { return std::isfinite(value); })) return;
+  const auto range = render::robust_range(values);
+  if (std::isnan(options.lower)) options.lower = by == "speed" ? 0 : range.lower;
+  if (std::isnan(options.upper)) options.upper = range.upper;
 }
 
 }  // namespace diefill::app

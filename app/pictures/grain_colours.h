@@ -17,9 +17,10 @@ const std::vector<std::string>& grain_colours();
 void colour_grains(render::ViewOptions& options, const std::string& by, const results::FillResult& result,
                    const results::FillResult& whole);
 
-/// One scale for all instants of all results, where `by` is the speed and none is given: from 0 to what all
-/// but a few grains reach.
-void fix_speed_scale(render::ViewOptions& options, const std::string& by,
-                     const std::vector<const results::FillResult*>& results);
+/// One scale for all instants of all results where none is given, so that a colour means the same in all of
+/// them: speeds from 0 to what all but a few grains reach at any instant, other values as they are at the
+/// ends of the runs. Throws as colour_grains().
+void fix_scale(render::ViewOptions& options, const std::string& by,
+               const std::vector<const results::FillResult*>& results);
 
 }  // namespace diefill::app

@@ -68,15 +68,16 @@ Pictures make_histogram(const PictureRequest& request) {
 Pictures make_fill_level(const PictureRequest& request) {
   constexpr int kBins = 72;
   std::vector<render::Named<results::Profile>> profiles;
-  for (const auto& source : request.sources)
-    profiles.push_back({legend_of(request, source),
-                        source.result.cavity.is_ring
-                            ? process::fill_level(source.result.powder, source.result.cavity, kBins)
-                            : process::fill_level_along_travel(source.result)});
-  const auto& cavity = request.sources.front().result.cavity;
-  const double depth = 1e3 * (cavity.upper_corner.z() - cavity.lower_corner.z());
+  std::vector<double> depths;  // mm
+  for (const auto& source : request.sources) {
+    const auto& cavity = source.result.cavity;
+    profiles.push_back(
+        {legend_of(request, source), cavity.is_ring ? process::fill_level(source.result.powder, cavity, kBins)
+                                                    : process::fill_level_along_travel(source.result)});
+    depths.push_back(1e3 * (cavity.upper_corner.z() - cavity.lower_corner.z()));
+  }
   return write_chart(request, "fill_level",
-                     render::fill_level_chart(profiles, depth, chart_subtitle(request)));
+                     render::fill_level_chart(profiles, depths, chart_subtitle(request)));
 }
 
 Pictures make_coordination(const PictureRequest& request) {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -14,9 +13,11 @@
 #include "process/measure/measure.h"
 #include "process/measure/volumes/partial_volumes.h"
 #include "process/results/formatted.h"
+#include "process/results/places_without_value.h"
 #include "render/fields/arrow_map.h"
 #include "render/fields/difference_map.h"
 #include "render/fields/field_places.h"
+#include "render/style/colour_bar.h"
 
 namespace diefill::app {
 namespace {
@@ -61,8 +62,8 @@ results::Field2D over_whole_depth(results::Field2D map, const results::CavitySta
   return map;
 }
 
-/// Leaves out, from the top of each column, the cells that the powder's surface cuts through: they hold less
-/// than three quarters of what half of all cells hold.
+/// Takes the value, from the top of each column, of the cells that the powder's surface cuts through: they
+/// hold less than three quarters of what half of all cells hold.
 void leave_out_cut_cells(std::vector<results::Field2D>& fields) {
   constexpr double kFull = 0.75;  // of the median
   std::vector<double> values;
@@ -78,33 +79,76 @@ void leave_out_cut_cells(std::vector<results::Field2D>& fields) {
       for (std::size_t j = field.second.size(); j-- > 0;) {
         double& value = field.value[j * field.first.size() + i];
         if (value >= least) break;
-        value = std::numeric_limits<double>::quiet_NaN();
+        if (value > 0) value = results::unvalued_powder();
       }
 }
 
-/// Slow powder in mm/s, so that the numbers stay readable.
-results::ArrowField in_readable_unit(results::ArrowField arrows) {
+/// Slow powder in mm/s, so that the numbers stay readable; all in one unit.
+void use_readable_unit(std::vector<results::ArrowField>& all) {
   constexpr double kSlow = 0.02;  // m/s
-  arrows.unit = "m/s";
-  if (render::robust_range(arrows.field.value).upper > kSlow) return arrows;
-  arrows.unit = "mm/s";
-  for (double& value : arrows.field.value) value *= 1e3;
-  for (auto& arrow : arrows.arrows) {
-    arrow.along_first *= 1e3;
-    arrow.along_second *= 1e3;
+  const bool slow = std::ranges::all_of(
+      all, [](const auto& arrows) { return render::robust_range(arrows.field.value).upper <= kSlow; });
+  for (auto& arrows : all) {
+    arrows.unit = slow ? "mm/s" : "m/s";
+    if (!slow) continue;
+    for (double& value : arrows.field.value) value *= 1e3;
+    for (auto& arrow : arrows.arrows) {
+      arrow.along_first *= 1e3;
+      arrow.along_second *= 1e3;
+    }
   }
-  return arrows;
 }
 
-void draw_difference(const PictureRequest& request, const results::Field2D& before,
-                     const results::Field2D& after, const std::string& title, const std::string& compared,
-                     const std::filesystem::path& file, Pictures& written) {
-  auto change = process::difference(before, after);
-  change.quantity = std::string("change of solid fraction");
-  render::FieldStyle style;
-  style.pixels = pixels_of(request);
-  const auto picture = render::compose_difference(change, title, compared, request.upper, style);
-  written.push_back(write_picture(request, file, picture.image));
+/// Draws the arrows of each source as kind.png, with one scale of colours and one of lengths for all;
+/// `styles` and `subtitles` have what differs.
+Pictures write_arrows(const PictureRequest& request, const std::string& kind, const std::string& quantity,
+                      const std::vector<results::ArrowField>& all, std::vector<render::FieldStyle> styles,
+                      const std::vector<std::string>& subtitles) {
+  const render::ArrowScale scale = render::common_scale(all);
+  Pictures written;
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    const auto& source = request.sources[n];
+    styles[n].pixels = pixels_of(request);
+    styles[n].arrow_length = scale.arrow_length;
+    const auto picture =
+        render::compose_arrows(all[n], quantity, title_of(request, source), subtitles[n],
+                               std::isnan(request.upper) ? scale.upper : request.upper, styles[n]);
+    written.push_back(write_picture(request, file_of(request, kind, source), picture.image));
+  }
+  return written;
+}
+
+/// One difference and what its picture says of it.
+struct Difference {
+  results::Field2D change;
+  std::string title, compared;
+  std::filesystem::path file;
+  double fill_plane;  ///< mm above the cavity's floor
+};
+
+Difference difference_of(const results::Field2D& before, const results::Field2D& after,
+                         const results::CavityState& cavity) {
+  Difference made{process::difference(before, after), {}, {}, {}, 0};
+  made.change.quantity = std::string("change of solid fraction");
+  made.fill_plane = 1e3 * (cavity.upper_corner.z() - cavity.lower_corner.z());
+  return made;
+}
+
+/// All on one scale, symmetric about zero.
+Pictures write_differences(const PictureRequest& request, const std::vector<Difference>& differences) {
+  std::vector<double> values;
+  for (const auto& one : differences)
+    values.insert(values.end(), one.change.value.begin(), one.change.value.end());
+  const double limit = render::make_diverging_bar({}, values, request.upper).range.upper;
+  Pictures written;
+  for (const auto& one : differences) {
+    render::FieldStyle style;
+    style.pixels = pixels_of(request);
+    style.fill_plane = one.fill_plane;
+    const auto picture = render::compose_difference(one.change, one.title, one.compared, limit, style);
+    written.push_back(write_picture(request, one.file, picture.image));
+  }
+  return written;
 }
 
 struct TwoInstants {
@@ -166,6 +210,7 @@ Pictures make_partial_volume_map(const PictureRequest& request) {
     const auto& source = request.sources[n];
     render::FieldStyle style;
     style.pixels = pixels_of(request);
+    render::add_map_places(style, source.result, fields[n]);
     style.note =
         "exact partial volumes of cells over the whole ring width; cells cut by the surface are omitted";
     const auto picture =
@@ -191,80 +236,79 @@ Pictures make_section(const PictureRequest& request) {
 
 Pictures make_difference(const PictureRequest& request) {
   require_ring(request, "difference", "plan-map of each result");
-  Pictures written;
+  std::vector<Difference> differences;
   const auto& first = request.sources.front();
   if (request.from || request.to || request.sources.size() == 1) {
     for (const auto& source : request.sources) {
       const TwoInstants two = two_instants(request, source);
-      draw_difference(request, map_of(request, two.before), map_of(request, two.after),
-                      title_of(request, source), "Change from " + span_of(two),
-                      file_of(request, "difference", source), written);
+      differences.push_back(
+          difference_of(map_of(request, two.before), map_of(request, two.after), source.result.cavity));
+      differences.back().title = title_of(request, source);
+      differences.back().compared = "Change from " + span_of(two);
+      differences.back().file = file_of(request, "difference", source);
     }
-    return written;
+    return write_differences(request, differences);
   }
   const auto reference = map_of(request, first.result);
   for (std::size_t n = 1; n < request.sources.size(); ++n) {
     const auto& source = request.sources[n];
-    draw_difference(request, reference, map_of(request, source.result), source.name + " minus " + first.name,
-                    source.result.strategy + " compared with " + first.result.strategy,
-                    file_of(request, "difference", source), written);
+    differences.push_back(difference_of(reference, map_of(request, source.result), source.result.cavity));
+    differences.back().title = source.name + " minus " + first.name;
+    differences.back().compared = source.result.strategy + " compared with " + first.result.strategy;
+    differences.back().file = file_of(request, "difference", source);
   }
-  return written;
+  return write_differences(request, differences);
 }
 
 Pictures make_displacement(const PictureRequest& request) {
   require_ring(request, "displacement", "velocity-section");
-  Pictures written;
+  std::vector<results::ArrowField> all;
+  std::vector<std::string> subtitles;
   for (const auto& source : request.sources) {
     const TwoInstants two = two_instants(request, source);
-    auto arrows = process::unrolled_vectors(
+    all.push_back(process::unrolled_vectors(
         process::displacements(two.before.powder, two.after.powder, two.after.cavity), two.after.cavity,
-        two.after.powder.grain_diameter, request.averaging_width);
-    arrows.unit = "mm";
-    render::FieldStyle style;
-    style.pixels = pixels_of(request);
-    const auto picture =
-        render::compose_arrows(arrows, "displacement", title_of(request, source),
-                               source.result.powder_name + ", " + span_of(two), request.upper, style);
-    written.push_back(write_picture(request, file_of(request, "displacement", source), picture.image));
+        two.after.powder.grain_diameter, request.averaging_width));
+    all.back().unit = "mm";
+    subtitles.push_back(source.result.powder_name + ", " + span_of(two));
   }
-  return written;
+  return write_arrows(request, "displacement", "displacement", all,
+                      std::vector<render::FieldStyle>(all.size()), subtitles);
 }
 
 Pictures make_velocity_map(const PictureRequest& request) {
   require_ring(request, "velocity", "velocity-section");
-  Pictures written;
+  std::vector<results::ArrowField> all;
+  std::vector<render::FieldStyle> styles;
+  std::vector<std::string> subtitles;
   for (const auto& source : request.sources) {
-    const auto arrows = in_readable_unit(
-        process::unrolled_vectors(process::velocities(source.result.powder), source.result.cavity,
-                                  source.result.powder.grain_diameter, request.averaging_width));
-    render::FieldStyle style;
-    style.pixels = pixels_of(request);
-    const auto picture = render::compose_arrows(arrows, "velocity", title_of(request, source),
-                                                subtitle_of(source), request.upper, style);
-    written.push_back(write_picture(request, file_of(request, "velocity", source), picture.image));
+    const auto& powder = source.result.powder;
+    all.push_back(process::unrolled_vectors(process::velocities(powder), source.result.cavity,
+                                            powder.grain_diameter, request.averaging_width));
+    styles.emplace_back();
+    render::add_map_places(styles.back(), source.result, all.back().field);
+    subtitles.push_back(subtitle_of(source));
   }
-  return written;
+  use_readable_unit(all);
+  return write_arrows(request, "velocity", "velocity", all, std::move(styles), subtitles);
 }
 
 Pictures make_velocity_section(const PictureRequest& request) {
-  Pictures written;
+  std::vector<results::ArrowField> all;
+  std::vector<render::FieldStyle> styles;
+  std::vector<std::string> subtitles;
   for (const auto& source : request.sources) {
     const auto plane = request.plane_given ? request.plane : source.result.sections.front().plane;
-    auto arrows = process::plane_vectors(process::velocities(source.result.powder), source.result, plane,
-                                         request.averaging_width);
-    if (arrows.field.first.empty())
+    all.push_back(process::plane_vectors(process::velocities(source.result.powder), source.result, plane,
+                                         request.averaging_width));
+    if (all.back().field.first.empty())
       throw std::invalid_argument("velocity-section: no powder near the plane; move it with --origin");
-    arrows = in_readable_unit(std::move(arrows));
-    render::FieldStyle style;
-    style.pixels = pixels_of(request);
-    render::add_section_places(style, source.result, plane);
-    const auto picture = render::compose_arrows(arrows, "velocity", title_of(request, source),
-                                                subtitle_of(source) + ", " + render::section_text(plane),
-                                                request.upper, style);
-    written.push_back(write_picture(request, file_of(request, "velocity_section", source), picture.image));
+    styles.emplace_back();
+    render::add_section_places(styles.back(), source.result, plane);
+    subtitles.push_back(subtitle_of(source) + ", " + render::section_text(plane));
   }
-  return written;
+  use_readable_unit(all);
+  return write_arrows(request, "velocity_section", "velocity", all, std::move(styles), subtitles);
 }
 
 }  // namespace diefill::app

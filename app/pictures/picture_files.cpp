@@ -26,6 +26,12 @@ std::string subtitle_of(const PictureSource& source) {
   return source.result.powder_name + ", grain size " + powder.sizes_text() + ", " + source.when;
 }
 
+std::vector<const results::FillResult*> results_of(const PictureRequest& request) {
+  std::vector<const results::FillResult*> results;
+  for (const auto& source : request.sources) results.push_back(&source.result);
+  return results;
+}
+
 std::filesystem::path file_of(const PictureRequest& request, const std::string& kind,
                               const PictureSource& source) {
   return request.out / (request.sources.size() > 1 ? kind + "_" + source.name + ".png" : kind + ".png");

@@ -15,6 +15,8 @@ std::string title_of(const PictureRequest& request, const PictureSource& source)
 /// Powder, grain size, time, and the directory's name as source.
 std::string subtitle_of(const PictureSource& source);
 
+std::vector<const results::FillResult*> results_of(const PictureRequest& request);
+
 /// DIR's file for a kind: kind.png, or kind_<name>.png where there are several sources.
 std::filesystem::path file_of(const PictureRequest& request, const std::string& kind,
                               const PictureSource& source);

@@ -25,10 +25,9 @@ ProbeColumn column_of(const results::FillResult& result, const std::string& opti
   if (const auto column = results::find_column(result, name)) return results::in_shown_unit(*column);
   const std::vector<std::string> names = results::column_names(result);
   std::string message = option + ": found \"" + name + "\"";
-  if (const auto nearest = process::nearest_key(name, names))
-    message += "; did you mean \"" + *nearest + "\"?";
-  message += " Allowed:";
-  for (const std::string& known : names) message += " \"" + known + '"';
+  const auto nearest = process::nearest_key(name, names);
+  message += nearest ? "; did you mean \"" + *nearest + "\"? Allowed:" : "; allowed:";
+  for (const std::string& known : names) message += (known == names.front() ? " \"" : ", \"") + known + '"';
   throw std::invalid_argument(message);
 }
 

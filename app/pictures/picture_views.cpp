@@ -26,10 +26,12 @@ render::ViewOptions options_of(const PictureRequest& request) {
 
 Pictures make_view(const PictureRequest& request) {
   Pictures written;
+  render::ViewOptions common = options_of(request);
+  if (request.sources.size() > 1) fix_scale(common, request.colour_by, results_of(request));
   for (const auto& source : request.sources) {
     const results::FillResult shown =
         request.to ? process::result_at(source.result, *request.to) : source.result;
-    render::ViewOptions options = options_of(request);
+    render::ViewOptions options = common;
     colour_grains(options, request.colour_by, shown, source.result);
     written.push_back(write_picture(request, file_of(request, "view", source),
                                     render::compose_snapshot(shown, options).image));
@@ -39,11 +41,12 @@ Pictures make_view(const PictureRequest& request) {
 
 Pictures make_frames(const PictureRequest& request) {
   Pictures written;
+  const auto all = results_of(request);
   for (const auto& source : request.sources) {
     const auto& result = source.result;
     if (result.instants.empty()) process::result_at(result, -1);  // says what is missing
     render::ViewOptions options = options_of(request);
-    fix_speed_scale(options, request.colour_by, {&result});
+    fix_scale(options, request.colour_by, all);
     const bool measured = request.colour_by == "solid-fraction";
     options.view = view_of_film(result, request.camera);
     const auto folder = request.out / file_of(request, "frames", source).stem();

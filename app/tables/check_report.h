@@ -31,7 +31,7 @@ render::FindingMark path_marker(const process::Scene& scene, const process::Tool
 nlohmann::ordered_json setup_as_json(const std::vector<process::SetupFinding>& setup);
 /// A block of the lines under the word WARNING; nothing for none.
 void print_alerts(const std::vector<std::string>& lines);
-std::vector<std::string> words_of(const std::vector<process::SetupFinding>& setup);
+std::vector<std::string> finding_lines(const std::vector<process::SetupFinding>& setup);
 std::vector<render::MarkedPart> parts_of(const process::Tooling& tooling);
 
 }  // namespace diefill::app

@@ -51,7 +51,7 @@ UsualFactor usual_factor(const continuum::DischargeFit& fit) {
                                                        : UsualFactor{"C_F", 0.05, 20};
 }
 
-/// What is said of a factor that no powder has; empty: it is a usual one.
+/// The remark on a factor that no powder has; empty: it is a usual one.
 std::string unit_remark(const continuum::DischargeFit& fit) {
   const auto [name, least, most] = usual_factor(fit);
   const double factor = fit.number(name);
@@ -89,45 +89,47 @@ bool any_ends_flat(const continuum::DischargeFit& fit) {
   return std::any_of(slits.begin(), slits.end(), [](const auto& slit) { return ends_flat(slit.second); });
 }
 
-/// What to beware of in an outflow over time.
-void add_transient_remarks(const continuum::DischargeFit& fit, std::vector<std::string>& said) {
-  if (any_ends_flat(fit))
-    said.emplace_back(
-        "the mass hardly rises in the last fifth of the time, as once the hopper is empty, which makes C_F "
-        "and beta wrong; leave it out with --until");
-  said.emplace_back(
-      "the deviations follow from how the mass of this outflow scatters from point to point; another packing "
-      "of the powder may deviate by more: repeat it");
-}
-
 }  // namespace
 
+std::vector<std::string> doubts(const continuum::DischargeFit& fit) {
+  std::vector<std::string> lines;
+  if (const std::string remark = unit_remark(fit); !remark.empty()) lines.push_back(remark);
+  if (fit.used.front().error > 0 && fit.fit.chi_square_per_freedom > kMisfit)
+    lines.emplace_back(
+        "the points deviate from the fit by far more than their errors: this law does not describe them; try "
+        "another");
+  if (fit.law == continuum::DischargeLaw::transient && any_ends_flat(fit))
+    lines.emplace_back(
+        "the mass hardly rises in the last fifth of the time, as once the hopper is empty, which makes C_F "
+        "and beta wrong; leave it out with --until");
+  return lines;
+}
+
 std::vector<std::string> remarks(const continuum::DischargeFit& fit) {
-  std::vector<std::string> said;
-  if (const std::string remark = unit_remark(fit); !remark.empty()) said.push_back(remark);
+  std::vector<std::string> lines = doubts(fit);
   if (fit.left_out > 0)
-    said.push_back(std::to_string(fit.left_out) +
-                   " points left out: the flow has not begun there (x below 0: faster than 5 sqrt(gD), or "
-                   "earlier than sqrt(D/g)/5)");
+    lines.push_back(std::to_string(fit.left_out) +
+                    " points left out: the flow has not begun there (x below 0: faster than 5 sqrt(gD), or "
+                    "earlier than sqrt(D/g)/5)");
   if (fit.fit.shape_at_bound)
-    said.push_back(
+    lines.push_back(
         fit.names.back() +
         " is at the limit of the search range: the points do not show how the flow comes to its steady "
         "rate; the fit holds where it was measured and not beyond");
-  if (fit.used.front().error > 0 && fit.fit.chi_square_per_freedom > kMisfit)
-    said.emplace_back(
-        "the points deviate from the fit by far more than their errors: this law does not describe them; try "
-        "another");
   for (std::size_t k = 0; k < fit.names.size(); ++k)
     if (const double share = deviation(fit, k) / std::abs(fit.fit.numbers[static_cast<Eigen::Index>(k)]);
         share > kVague)
-      said.push_back(
+      lines.push_back(
           fit.names[k] +
           (share > 1 ? " is not determined by these data"
                      : " is known to within " + results::in_significant_digits(100 * share, 2) + " % only") +
           "; the curve is better determined than its parameters, see the band of the chart");
-  if (fit.law == continuum::DischargeLaw::transient) add_transient_remarks(fit, said);
-  return said;
+  if (fit.law == continuum::DischargeLaw::transient)
+    lines.emplace_back(
+        "the deviations follow from how the mass of this outflow scatters from point to point; another "
+        "packing "
+        "of the powder may deviate by more: repeat it");
+  return lines;
 }
 
 void print_fit(const continuum::DischargeFit& fit, const continuum::DischargeData& data) {
@@ -172,6 +174,8 @@ Json fit_as_json(const continuum::DischargeFit& fit, const continuum::DischargeD
   }
   if (!is_rate(fit.law)) json["largest_x"] = fit.largest_x;
   json["remarks"] = remarks(fit);
+  json["doubts"] = doubts(fit);
+  json["holds_beyond_largest_x"] = !fit.fit.shape_at_bound;
   return json;
 }
 

@@ -17,7 +17,10 @@ nlohmann::ordered_json fit_as_json(const process::continuum::DischargeFit& fit,
 std::string fit_as_csv(const process::continuum::DischargeFit& fit,
                        const process::continuum::DischargeData& data);
 
-/// What to beware of, a line each.
+/// Why the fitted law may be none of the powder, a line each: an estimate that goes by it then gives no
+/// answer.
+std::vector<std::string> doubts(const process::continuum::DischargeFit& fit);
+/// What to beware of, a line each; doubts() first.
 std::vector<std::string> remarks(const process::continuum::DischargeFit& fit);
 
 }  // namespace diefill::app

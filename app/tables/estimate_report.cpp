@@ -113,7 +113,7 @@ const char* name_of(estimate::Answer answer) {
 }
 
 void print_estimate(const estimate::Estimate& found) {
-  std::set<std::string> said;
+  std::set<std::string> printed;
   for (const auto& statement : estimate::statements(found)) {
     std::printf("%s: %s\n", statement.topic.c_str(), statement.words.c_str());
     std::string ground;
@@ -123,7 +123,7 @@ void print_estimate(const estimate::Estimate& found) {
     add("formula: ", statement.source);
     add("valid: ", statement.valid);
     add("error against DEM: ", statement.error);
-    if (said.insert(ground).second) std::printf("%s\n", ground.c_str());
+    if (printed.insert(ground).second) std::printf("%s\n", ground.c_str());
   }
   for (const auto& number : found.numbers)
     std::printf("%s: %.3g, %s (%s)\n", number.name.c_str(), number.value, number.meaning.c_str(),

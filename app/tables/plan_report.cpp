@@ -104,16 +104,16 @@ void print_table(const plan::Plan& plan) {
 
 /// Each source once.
 void print_error_sources(const plan::Plan& plan) {
-  std::vector<std::string> said;
+  std::vector<std::string> printed;
   for (const auto& choice : plan.choices)
     for (const auto& error : choice.errors) {
       const std::string line = error.quantity + ": " + error.source;
-      if (std::find(said.begin(), said.end(), line) != said.end()) continue;
-      said.push_back(line);
+      if (std::find(printed.begin(), printed.end(), line) != printed.end()) continue;
+      printed.push_back(line);
       std::printf("expected error of the %s\n", line.c_str());
     }
   std::printf(
-      said.empty()
+      printed.empty()
           ? "expected errors are not known here: the grain diameter over the narrowest width is outside the "
             "range of the reference runs, or there is no cavity\n"
           : "expected errors are those of the grain size, +- the scatter of one run over seeds\n");

@@ -73,7 +73,7 @@ void print_alerts(const std::vector<std::string>& lines) {
   std::fflush(stdout);
 }
 
-std::vector<std::string> words_of(const std::vector<process::SetupFinding>& setup) {
+std::vector<std::string> finding_lines(const std::vector<process::SetupFinding>& setup) {
   std::vector<std::string> words;
   for (const auto& finding : setup) words.push_back(finding.words);
   return words;

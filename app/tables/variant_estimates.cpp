@@ -6,6 +6,8 @@
 
 #include "app/tables/estimate_report.h"
 #include "app/tables/text_column.h"
+#include "process/estimate/wording.h"
+#include "process/results/formatted.h"
 #include "process/results/json_numbers.h"
 
 namespace diefill::app {
@@ -23,10 +25,8 @@ const estimate::OpeningEstimate* emptiest_cavity(const estimate::Estimate& found
   return worst;
 }
 
-std::string percent_text(double share) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.0f", std::min(100.0, 100 * share));
-  return text;
+std::string filled_percent(double share) {
+  return results::formatted("%.0f", estimate::percent_up_to_full(share));
 }
 
 std::string number_or_dash(const std::optional<double>& value) {
@@ -45,8 +45,8 @@ void print_line(const VariantEstimate& variant, std::size_t width) {
   const estimate::OpeningEstimate* cavity = emptiest_cavity(found);
   std::string filled = "-", range = "-", critical = "-", needed = "-";
   if (cavity != nullptr) {
-    filled = percent_text(cavity->share);
-    range = percent_text(cavity->least_share) + " to " + percent_text(cavity->most_share);
+    filled = filled_percent(cavity->share);
+    range = filled_percent(cavity->least_share) + " to " + filled_percent(cavity->most_share);
     critical = cavity->any_speed ? "any" : number_or_dash(cavity->speed_all);
     if (cavity->crossings) needed = std::to_string(*cavity->crossings);
   }

@@ -11,7 +11,7 @@
 #include "engine/coarse_graining/hu_methods.h"
 #include "engine/coarse_graining/sakai_koshizuka.h"
 #include "engine/coarse_graining/scaled_up_particle.h"
-#include "engine/coarse_graining/thakur.h"
+#include "engine/coarse_graining/similar_parameters.h"
 #include "engine/coarse_graining/unscaled.h"
 
 namespace diefill::engine::coarse_graining {
@@ -44,9 +44,8 @@ struct ParameterRule {
 
 /// All rules that scale parameters, the usual one first. A new rule is registered by its line here.
 inline constexpr std::array kParameterRules = {
-    ParameterRule{"bierwisch",
-                  [](const laws::LawParameters& fine, double scale) { return fine.similar(scale); }},
-    ParameterRule{"Thakur", thakur},
+    ParameterRule{"bierwisch", similar_parameters},
+    ParameterRule{"Thakur", similar_parameters},  // the same numbers under the name of the other source
 };
 
 /// Null if no rule of that name scales parameters.

@@ -2,11 +2,12 @@
 // and neighbours at once, and a step that is stable for one contact may not be for all of them together.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
-#include "engine/simulation/simulation.h"
-
 namespace diefill::engine {
+
+class Simulation;
 
 /// How close a group of grains comes to the stability limit of the time step, and where.
 struct StabilityUse {

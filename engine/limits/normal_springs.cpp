@@ -1,6 +1,7 @@
 #include "engine/limits/normal_springs.h"
 
 #include "engine/contact/pair_laws.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::engine {
 

@@ -2,9 +2,11 @@
 // step resolves it. Evaluates the law itself and is slow; the pair loop does not use it.
 #pragma once
 
-#include "engine/simulation/simulation.h"
+#include <cstddef>
 
 namespace diefill::engine {
+
+class Simulation;
 
 /// Of the normal force at one overlap.
 struct NormalSpring {

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/simulation/simulation.h"
-
 namespace diefill::engine {
+
+class Simulation;
 
 /// A grain that a moving tool has wedged.
 struct PinchedGrain {

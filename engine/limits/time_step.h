@@ -54,7 +54,9 @@ double lasting_contact_time_step(const ParticleTypes& types, const ContactLaws& 
 double critical_time_step_at_overlap(const ParticleTypes& types, const ContactLaws& contact, double overlap,
                                      double overlap_over_radius);
 
-/// The same for one contact at the overlap of a collision among grains at `impact_speed` (m/s).
+/// The same for one contact at the overlap of a collision among grains at `impact_speed` (m/s), on the
+/// reduced masses, as critical_time_step() has it: the damper's limit is that of a rebound, 2 m / c. A run
+/// warns from half of it on, which is m / c, the limit of a contact that lasts.
 double collision_time_step(const ParticleTypes& types, const ContactLaws& contact, double impact_speed);
 
 /// Critical time step (s) of a sphere pinched between two tools, as under the edge of a shoe: at `overlap`

@@ -7,6 +7,7 @@
 #include "engine/limits/worst_places.h"
 #include "engine/observe/energy_balance.h"
 #include "engine/observe/powder_figures.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::engine {
 

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "engine/numerics/out_of_range.h"
-#include "engine/simulation/simulation.h"
 
 namespace diefill::engine {
+
+class Simulation;
 
 /// Limits of the method, each found by experiment (STABILITY.md). Between comfortable and forbidden a run
 /// continues with a warning in its report.

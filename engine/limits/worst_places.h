@@ -2,11 +2,13 @@
 // Used only then, because it checks every grain or contact.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
-#include "engine/simulation/simulation.h"
-
 namespace diefill::engine {
+
+struct Grains;
+class Simulation;
 
 /// The grain of largest speed.
 struct FastestGrain {

@@ -1,5 +1,7 @@
 #include "engine/observe/contact_forces.h"
 
+#include "engine/simulation/simulation.h"
+
 namespace diefill::engine {
 
 namespace {

@@ -1,11 +1,13 @@
 // The forces of single contacts, for figures that are computed now and then.
 #pragma once
 
+#include <Eigen/Core>
+#include <cstddef>
 #include <functional>
 
-#include "engine/simulation/simulation.h"
-
 namespace diefill::engine {
+
+class Simulation;
 
 inline constexpr std::size_t kNoGrain = static_cast<std::size_t>(-1);
 

@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "engine/simulation/simulation.h"
-
 namespace diefill::engine {
+
+class Simulation;
 
 /// J: stress of each grain (in the order of Grains) times the volume it is spread over, from the contacts of
 /// the last step (Bierwisch 2009, Eq. 3.8, without the part of the grains' own motion): sum of force times

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/simulation/powder_energy.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::engine {
 

@@ -1,9 +1,11 @@
 // The energy of the powder, held against what was done to it.
 #pragma once
 
-#include "engine/simulation/simulation.h"
+#include "engine/simulation/energy_ledger.h"
 
 namespace diefill::engine {
+
+class Simulation;
 
 /// Energy of the powder now, summed in a fixed order.
 Energy energy_of(const Simulation& simulation);

@@ -1,5 +1,7 @@
 #include "engine/observe/memory_traffic.h"
 
+#include "engine/simulation/simulation.h"
+
 namespace diefill::engine {
 
 double bytes_moved_per_step(const Simulation& simulation) {

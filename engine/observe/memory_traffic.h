@@ -1,9 +1,9 @@
 // What a step moves through memory.
 #pragma once
 
-#include "engine/simulation/simulation.h"
-
 namespace diefill::engine {
+
+class Simulation;
 
 /// Bytes that one step reads and writes at least: state of grains and spheres, near pairs and what touching
 /// ones remember, each counted once a pass.

@@ -1,5 +1,7 @@
 #include "engine/observe/powder_figures.h"
 
+#include "engine/simulation/simulation.h"
+
 namespace diefill::engine {
 
 std::size_t sphere_count(const Simulation& simulation) {

@@ -1,9 +1,12 @@
 // How much powder there is and how much of it sleeps.
 #pragma once
 
-#include "engine/simulation/simulation.h"
+#include <cstddef>
+#include <cstdint>
 
 namespace diefill::engine {
+
+class Simulation;
 
 /// Spheres of all grains.
 std::size_t sphere_count(const Simulation& simulation);

@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "engine/search/passing_speed.h"
+
 namespace diefill::engine {
 
 namespace {
@@ -70,7 +72,7 @@ std::optional<DriftGroups> drift_groups(const Velocities& velocities) {
     regroup(velocities, groups);
   }
   if (set_drifts(velocities, groups) < kLeastShare) return std::nullopt;
-  if (scatter_of(velocities, groups) > kLargestScatter * groups.passing_speed()) return std::nullopt;
+  if (scatter_of(velocities, groups) > kLargestScatter * passing_speed(groups.drift)) return std::nullopt;
   return groups;
 }
 

@@ -15,9 +15,6 @@ namespace diefill::engine {
 struct DriftGroups {
   std::array<Eigen::Vector3d, 2> drift;  ///< m/s
   std::vector<std::uint8_t> group;       ///< of each grain, 0 or 1
-
-  /// m/s, of the second group against the first.
-  double passing_speed() const { return (drift[1] - drift[0]).norm(); }
 };
 
 /// The two groups that these `velocities` (m/s) form; none where they form one: where the smaller group has

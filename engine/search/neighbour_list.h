@@ -10,6 +10,7 @@
 #include "engine/numerics/thread_pool.h"
 #include "engine/powder/sphere_field.h"
 #include "engine/search/contact_history.h"
+#include "engine/search/passing_speed.h"
 #include "engine/search/search_workspace.h"
 #include "engine/search/sphere_cells.h"
 #include "engine/walls/walls.h"
@@ -53,7 +54,7 @@ struct ListReference {
   std::size_t groups() const { return group.empty() ? 1 : 2; }
   std::size_t group_of(std::size_t k) const { return group.empty() ? 0 : group[k]; }
   /// m/s, of the second group against the first.
-  double passing_speed() const { return group.empty() ? 0 : (drift[1] - drift[0]).norm(); }
+  double passing_speed() const { return group.empty() ? 0 : engine::passing_speed(drift); }
   /// m, how far body b may move against the drift of a group.
   double allowance_of_body(std::size_t b, std::size_t its_group) const {
     return body_allowance[its_group * bodies.size() + b];

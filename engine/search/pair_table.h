@@ -9,6 +9,7 @@
 
 #include "engine/numerics/vector3.h"
 #include "engine/search/contact_sums.h"
+#include "engine/search/distance_rounding.h"
 
 namespace diefill::engine {
 
@@ -40,11 +41,7 @@ struct WallRun {
 
   /// m: with the sphere at `now` (m, body frame), pairs that were as far apart as this (Block::wall_distance)
   /// are still no nearer than `limit` (m).
-  double within(Vector3 now, double limit) const {
-    // Rounding must not make a pair seem farther than it is.
-    constexpr double kRounding = 1 + 1e-6;
-    return kRounding * (limit + length(now - place));
-  }
+  double within(Vector3 now, double limit) const { return kDistanceRounding * (limit + length(now - place)); }
 };
 
 /// Room for `count` values in `values`, which becomes empty. Memory that would stand idle is given back: a

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/search/distance_rounding.h"
 #include "engine/search/list_allowances.h"
 #include "engine/search/neighbour_list.h"
 #include "engine/walls/wall_clearance.h"
@@ -9,9 +10,6 @@
 namespace diefill::engine {
 
 namespace {
-
-/// Rounding must not make a body seem farther than it is.
-constexpr double kRounding = 1 + 1e-6;
 
 float rounded_down(double value) {
   return std::nextafter(static_cast<float>(value), 0.0F);
@@ -61,7 +59,8 @@ bool is_far(const BlockExtent& extent, const WallBody& body, std::size_t b, cons
             double reach) {
   if (extent.box.isEmpty()) return true;
   const double allowed = reach + farthest_allowance_of_body(reference, b);
-  return clearance_of(body, reference.bodies[b], extent.box, kRounding * (extent.reach + allowed)) > 0;
+  return clearance_of(body, reference.bodies[b], extent.box, kDistanceRounding * (extent.reach + allowed)) >
+         0;
 }
 
 }  // namespace
@@ -77,7 +76,7 @@ void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
   block.wall_run_first.assign(1, 0);
   block.wall_runs.clear();
   block.wall_distance.clear();
-  const BlockExtent extent = extent_of(block, spheres, reference, settings_);
+  const BlockExtent extent = bodies.empty() ? BlockExtent() : extent_of(block, spheres, reference, settings_);
   for (std::uint32_t b = 0; b < bodies.size(); ++b) {
     const BodyMotion& pose = reference.bodies[b];
     const double reach = bodies[b].sphere_radius() + (bodies[b].mirror() ? settings_.law_range : 0);

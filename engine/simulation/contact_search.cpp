@@ -6,6 +6,7 @@
 #include "engine/numerics/out_of_range.h"
 #include "engine/search/drift_groups.h"
 #include "engine/search/list_allowances.h"
+#include "engine/search/passing_speed.h"
 #include "engine/search/spatial_order.h"
 #include "engine/simulation/sleep_rules.h"
 #include "engine/walls/wall_clearance.h"
@@ -86,7 +87,7 @@ void group_grains(SimulationState& state) {
   auto groups = drift_groups(state.grains.velocity);
   if (!groups) return;
   const double passing =
-      skin.expected_displacement(reference.skin, groups->passing_speed() * state.settings.time_step);
+      skin.expected_displacement(reference.skin, passing_speed(groups->drift) * state.settings.time_step);
   if (passing < reference.skin) return;
   reference.drift = groups->drift;
   reference.group = std::move(groups->group);

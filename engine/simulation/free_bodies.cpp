@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "engine/simulation/simulation.h"
+
 namespace diefill::engine {
 
 namespace {

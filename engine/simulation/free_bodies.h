@@ -5,10 +5,11 @@
 #include <memory>
 #include <vector>
 
-#include "engine/simulation/simulation.h"
 #include "engine/walls/free_body.h"
 
 namespace diefill::engine {
+
+class Simulation;
 
 /// The free bodies of one simulation. Loads are summed in a fixed order, so that the motion has the same bits
 /// on any number of threads.

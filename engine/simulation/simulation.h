@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "engine/powder/new_grain.h"
 #include "engine/simulation/settings.h"
 #include "engine/simulation/simulation_state.h"
 #include "engine/simulation/snapshot.h"
@@ -12,15 +13,6 @@ namespace diefill::engine {
 
 struct ComputedStep;
 struct NamedContacts;
-
-/// A grain to be added.
-struct NewGrain {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();          ///< m
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< m/s
-  Quaternion orientation = {1, 0, 0, 0};                       ///< (w, x, y, z), body to laboratory
-  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s, laboratory frame
-  TypeNumber kind = 0;                                         ///< of SimulationSettings::types
-};
 
 /// Powder, tools and time. Same settings, grains and steps give bitwise the same state on any number of
 /// threads. Figures that take more than a look at the state are free functions in ../observe.

@@ -15,14 +15,9 @@
 #include "engine/simulation/energy_ledger.h"
 #include "engine/simulation/settings.h"
 #include "engine/simulation/sleeping.h"
+#include "engine/walls/wall_load.h"
 
 namespace diefill::engine {
-
-/// Force and torque of the powder on a wall body. Torque about the origin of the body's frame.
-struct WallLoad {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
-  Eigen::Vector3d torque = Eigen::Vector3d::Zero();  ///< N m
-};
 
 /// Powder, tools, near pairs and accounts. Arrays of grains have the order of `grains`, arrays of bodies that
 /// of `bodies`, arrays of blocks that of `list.blocks()`.

@@ -6,6 +6,7 @@
 
 #include "engine/numerics/prefetch.h"
 #include "engine/powder/rigid_motion.h"
+#include "engine/search/distance_rounding.h"
 
 namespace diefill::engine {
 
@@ -54,10 +55,8 @@ void move_bodies(SimulationState& state) {
 void advance_grains(SimulationState& state, StepPolicy& policy) {
   const auto& blocks = state.list.blocks();
   state.pool.for_each(blocks.size(), [&](std::size_t b) {
-    // Ways of many steps are summed up, and places rounded: a little more than both together.
-    constexpr double kRounding = 1 + 1e-6;
     double& remaining = state.remaining_skin[b];
-    remaining -= kRounding * policy.advance_block(state, b);
+    remaining -= kDistanceRounding * policy.advance_block(state, b);
     if (remaining <= 0) remaining = remaining_skin(state, blocks[b]);
     state.tallies[b].list_is_old = remaining < 0;
   });

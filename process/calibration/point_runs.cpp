@@ -121,6 +121,13 @@ JobState PointRuns::state_of_job(const results::Job& job) const {
   return other_scenes_.contains(job.folder) ? JobState{} : state_of(options_.directory, job);
 }
 
+/// Processor time in s. A run of another scene is no part of this calibration's cost.
+double PointRuns::cpu_seconds_of_job(const results::Job& job) const {
+  return other_scenes_.contains(job.folder)
+             ? 0
+             : results::read_job_cost(options_.directory / job.folder).cpu_seconds;
+}
+
 std::size_t PointRuns::open_of_other_scenes() const {
   return static_cast<std::size_t>(
       std::count_if(open_.jobs.begin(), open_.jobs.end(),
@@ -138,7 +145,7 @@ void PointRuns::run(const std::vector<Point>& points) {
     if (state.stage == JobState::Stage::open || again)
       open.jobs.push_back(job);
     else
-      of_others += results::read_job_cost(options_.directory / job.folder).cpu_seconds;
+      of_others += cpu_seconds_of_job(job);
   }
   JobOptions jobs = options_.jobs;
   jobs.cpu_seconds -= of_others;
@@ -148,7 +155,7 @@ void PointRuns::run(const std::vector<Point>& points) {
   open_.jobs.clear();
   for (const results::Job& job : all.jobs) {
     tried_.insert(job.folder);
-    spent_ += results::read_job_cost(options_.directory / job.folder).cpu_seconds;
+    spent_ += cpu_seconds_of_job(job);
     if (state_of_job(job).stage == JobState::Stage::open) open_.jobs.push_back(job);
   }
 }
@@ -161,7 +168,7 @@ std::uint64_t PointRuns::seed_of(std::size_t number, int k) const {
 
 results::Job PointRuns::job_of(std::size_t number, std::size_t run, int k) const {
   const std::uint64_t seed = seed_of(number, k);
-  return {"", seed, folder_of(number, run) + "/seed-" + std::to_string(seed)};
+  return {"", seed, results::job_folder(folder_of(number, run), seed)};
 }
 
 bool PointRuns::is_written(const Point& point, std::size_t number) const {
@@ -210,7 +217,7 @@ void PointRuns::add_states(const Point& point, std::size_t number, PointOutcome&
     for (int k = 0; k < plan_.seeds; ++k) {
       const results::Job job = job_of(number, run, k);
       const JobState state = state_of_job(job);
-      outcome.core_seconds += results::read_job_cost(options_.directory / job.folder).cpu_seconds;
+      outcome.core_seconds += cpu_seconds_of_job(job);
       if (state.stage == JobState::Stage::failed) {
         outcome.state = "failed";
         outcome.reason = state.reason;

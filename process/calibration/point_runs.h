@@ -67,6 +67,7 @@ class PointRuns {
   results::JobList jobs_for(const std::vector<Point>& points);
   results::JobList jobs_found(const WantedJobs& wanted);
   JobState state_of_job(const results::Job& job) const;
+  double cpu_seconds_of_job(const results::Job& job) const;
   std::vector<std::size_t> runs_of(const Point& point) const;
   std::vector<Variant> variants_of(const Point& point, std::size_t number);
   std::vector<double> values_of_seed(std::size_t measurement, std::size_t number, int k) const;

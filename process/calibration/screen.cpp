@@ -9,6 +9,7 @@
 #include "process/calibration/methods/screening_effects.h"
 #include "process/input/units.h"
 #include "process/results/rounding.h"
+#include "process/results/studies/mean.h"
 #include "process/results/word_list.h"
 #include "process/run/assemble.h"
 
@@ -91,16 +92,12 @@ std::string without_value(const std::string& name, const std::vector<std::vector
 
 std::vector<double> means_of(const std::vector<std::vector<double>>& responses) {
   std::vector<double> means;
-  for (const auto& values : responses) {
-    double sum = 0;
-    for (const double value : values) sum += value;
-    means.push_back(sum / static_cast<double>(values.size()));
-  }
+  for (const auto& values : responses) means.push_back(results::mean_of(values));
   return means;
 }
 
 /// Names of what a string stands for, such as "powder.friction" or "a with b".
-std::string words_of(const AliasString& string, const CalibrationPlan& plan) {
+std::string factor_names(const AliasString& string, const CalibrationPlan& plan) {
   std::string words;
   for (const std::size_t k : string.factors) words += (words.empty() ? "" : " = ") + plan.parameters[k].key;
   for (const auto& [i, j] : string.pairs)
@@ -174,7 +171,7 @@ results::Screening screening_of(const CalibrationPlan& plan, const FractionalDes
   screening.generators = generators_of(design);
   if (screening.generators.size() <= kMaxGenerators) screening.words = defining_words(design);
   for (const AliasString& string : alias_strings(design))
-    screening.effects.push_back({text_of(string), words_of(string, plan), !string.factors.empty(), {}});
+    screening.effects.push_back({text_of(string), factor_names(string, plan), !string.factors.empty(), {}});
   for (std::size_t m = 0; m < plan.measurements.size(); ++m) {
     const Measurement& measurement = plan.measurements[m];
     if (!measurement.fitted) continue;

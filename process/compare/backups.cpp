@@ -82,6 +82,13 @@ bool has_fit(const fs::path& table) {
   return document.is_object() && document.contains("samples") && !document["samples"].empty();
 }
 
+/// Whether powder.toml in the directory is that of an earlier fit, and `now` has written none. Beside a
+/// screening it may be a powder of the user's own, unless the table there is that of a fit.
+bool powder_of_earlier_fit(const fs::path& directory, const results::Calibration& now) {
+  if (now.fitted || !fs::exists(directory / "powder.toml")) return false;
+  return now.screening.quantities.empty() || has_fit(directory / "calibration.json");
+}
+
 /// Whether `now` has everything that an earlier calibration.json states.
 bool has_all_of(const fs::path& table, const results::Calibration& now) {
   if (has_fit(table) && !now.fitted) return false;
@@ -145,7 +152,9 @@ std::optional<fs::path> back_up_earlier_tables(const fs::path& directory, const 
   std::vector<fs::path> files;
   for (const std::string& name : results::calibration_tables())
     if (fs::exists(directory / name)) files.push_back(directory / name);
-  if (files.empty() || has_all_of(directory / "calibration.json", now)) return std::nullopt;
+  if (!files.empty() && has_all_of(directory / "calibration.json", now)) files.clear();
+  if (powder_of_earlier_fit(directory, now)) files.push_back(directory / "powder.toml");
+  if (files.empty()) return std::nullopt;
   return move_to_backup(directory, files);
 }
 

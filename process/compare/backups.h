@@ -32,6 +32,7 @@ std::optional<std::filesystem::path> back_up_earlier_tables(const std::filesyste
 /// The same of results::calibration_tables(), where calibration.json is missing or cannot be read, where it
 /// has a fit and `now` has none, and where it lists finished points of a start, search or screening that
 /// `now` does not have. Points of a check follow from the best powder, which more runs move: they may change.
+/// powder.toml is moved where `now` has no fit.
 std::optional<std::filesystem::path> back_up_earlier_tables(const std::filesystem::path& directory,
                                                             const results::Calibration& now);
 

@@ -137,10 +137,8 @@ results::JobList jobs_of(const WantedJobs& wanted, const DoWithJob& act) {
   for (const Variant& variant : wanted.variants) list.variants.push_back(variant.name);
   for (int k = 0; k < wanted.seeds; ++k)
     for (const Variant& variant : wanted.variants) {
-      const std::uint64_t seed = variant.scene.seed + static_cast<std::uint64_t>(k);
-      const std::string folder = variant.folder + "/seed-" + std::to_string(seed);
-      act(folder, variant.scene, seed);
-      list.jobs.push_back({variant.name, seed, folder});
+      list.jobs.push_back(job_of(variant, k));
+      act(list.jobs.back().folder, variant.scene, list.jobs.back().seed);
     }
   return list;
 }
@@ -164,6 +162,11 @@ int exit_code_in(const fs::path& file) {
 }
 
 }  // namespace
+
+results::Job job_of(const Variant& variant, int k) {
+  const std::uint64_t seed = variant.scene.seed + static_cast<std::uint64_t>(k);
+  return {variant.name, seed, results::job_folder(variant.folder, seed)};
+}
 
 void check_seeds(const std::vector<Variant>& variants, int seeds) {
   constexpr std::uint64_t kLargest = INT64_MAX;  // that TOML knows

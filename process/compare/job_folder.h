@@ -25,6 +25,9 @@ struct WantedJobs {
   std::vector<std::string> later;
 };
 
+/// The job of a variant's run `k`, counted from 0, with the k-th seed from that of its scene.
+results::Job job_of(const Variant& variant, int k);
+
 /// Throws SceneError where a seed would be larger than a scene can state.
 void check_seeds(const std::vector<Variant>& variants, int seeds);
 

@@ -107,10 +107,10 @@ class JobPool {
 
   /// The run of a comparison that was killed may still be writing its checkpoint.
   void wait_for_earlier_run(const fs::path& folder) const {
-    constexpr auto kPatience = std::chrono::seconds(60);
+    constexpr auto kLongestWait = std::chrono::seconds(60);
     const auto start = Clock::now();
     const auto stop_requested = [this] { return options_.stop != nullptr && options_.stop->load(); };
-    while (results::lock_holder(folder) && !stop_requested() && Clock::now() - start < kPatience)
+    while (results::lock_holder(folder) && !stop_requested() && Clock::now() - start < kLongestWait)
       ::usleep(kPause);
   }
 

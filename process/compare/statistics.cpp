@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "process/results/studies/mean.h"
 #include "process/results/studies/quantiles.h"
 
 namespace diefill::process {
@@ -11,15 +12,13 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-double mean_of(const std::vector<double>& values, double period) {
-  double sum = 0, cosines = 0, sines = 0;
+/// Direction of the sum of unit vectors, in 0 to `period`.
+double mean_direction(const std::vector<double>& values, double period) {
+  double cosines = 0, sines = 0;
   for (const double value : values) {
-    sum += value;
-    if (!(period > 0)) continue;
     cosines += std::cos(2 * std::numbers::pi * value / period);
     sines += std::sin(2 * std::numbers::pi * value / period);
   }
-  if (!(period > 0)) return sum / static_cast<double>(values.size());
   const double mean = std::atan2(sines, cosines) * period / (2 * std::numbers::pi);
   return mean < 0 ? mean + period : mean;
 }
@@ -36,7 +35,7 @@ Sample sample_of(const std::vector<double>& values, double period) {
     if (std::isfinite(value)) finite.push_back(value);
   Sample sample{kNone, kNone, finite.size()};
   if (finite.empty()) return sample;
-  sample.mean = mean_of(finite, period);
+  sample.mean = period > 0 ? mean_direction(finite, period) : results::mean_of(finite);
   if (finite.size() < 2) return sample;
   double squares = 0;
   for (const double value : finite) squares += std::pow(difference(sample.mean, value, period), 2);

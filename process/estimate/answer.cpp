@@ -26,6 +26,7 @@ std::vector<std::string> reasons_without_answer(const Estimate& estimate) {
   for (const OpeningEstimate* cavity : cavities_of(estimate))
     if (const std::string why = too_coarse(estimate, *cavity); !why.empty()) reasons.push_back(why);
   if (!reasons.empty()) return reasons;
+  if (const std::string doubts = doubts_of_law(estimate); !doubts.empty()) reasons.push_back(doubts);
   for (const std::string& limit : limits_passed(estimate))
     reasons.push_back("outside the range of the formula, " + limit + ": simulate");
   return reasons;

@@ -52,10 +52,11 @@ std::string joined(const std::vector<std::string>& clauses) {
   return text;
 }
 
-/// "; outside the range of the formula, ...", or nothing.
+/// "; outside the range of the formula: ..." and what the fit of its law remarks on, or nothing.
 std::string beyond_the_range(const Estimate& estimate) {
-  const std::string limits = joined(limits_passed(estimate));
-  return limits.empty() ? "" : "; outside the range of the formula: " + limits;
+  const std::string limits = joined(limits_passed(estimate)), doubts = doubts_of_law(estimate);
+  return (limits.empty() ? "" : "; outside the range of the formula: " + limits) +
+         (doubts.empty() ? "" : "; " + doubts);
 }
 
 /// What a scene without a cavity under the shoe has to tell.
@@ -83,8 +84,8 @@ std::string nothing_to_fill(const Estimate& estimate) {
 std::string share_text(const Estimate& estimate, const OpeningEstimate& opening) {
   return ' ' + name_of(estimate, opening) +
          results::formatted(" about %.0f %% full, %.0f to %.0f %% with the uncertainty",
-                            percent(opening.share), percent(opening.least_share),
-                            percent(opening.most_share));
+                            percent_up_to_full(opening.share), percent_up_to_full(opening.least_share),
+                            percent_up_to_full(opening.most_share));
 }
 
 std::string open_text(const Estimate& estimate, const OpeningEstimate& worst) {
@@ -107,7 +108,7 @@ std::string too_fast_text(const Estimate& estimate, const OpeningEstimate& worst
          subject(estimate, worst).does("leave") + ' ' + name_of(estimate, worst) +
          results::formatted(
              " about %.0f %% full, at most %.0f %% with the uncertainty. No simulation is needed for this: ",
-             percent(worst.share), percent(worst.most_share)) +
+             percent_up_to_full(worst.share), percent_up_to_full(worst.most_share)) +
          remedy(estimate, worst);
 }
 
@@ -118,7 +119,7 @@ std::string fills_text(const Estimate& estimate, const OpeningEstimate& worst) {
          results::formatted(
              " holds would run in, and it is at least %.0f %% full with the uncertainty. No simulation is "
              "needed for this; simulate for the density map",
-             percent(worst.least_share)) +
+             percent_up_to_full(worst.least_share)) +
          (estimate.powder.carrying_flux
               ? ""
               : ". Air is left out: give the size of the real particles with --particle-diameter");

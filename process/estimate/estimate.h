@@ -52,6 +52,8 @@ struct OpeningEstimate {
   /// sqrt(D / g), D the effective width, over the time that one portion of powder is over the opening: v_s /
   /// sqrt(g D) for a slit across the motion.
   double froude = 0;
+  /// t sqrt(g/D) - 1/5 of the portion of powder that is longest over a place of the opening, in any crossing.
+  double longest_x = 0;
   std::optional<double> air_escapes;  ///< s; nothing: particle size not known, or no air is trapped
   double air_trapped = 0;             ///< share of the time of all crossings in which powder covers it whole
   double air_ratio = 0;     ///< that share of the time that air needs, over the time of all crossings

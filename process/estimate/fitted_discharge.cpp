@@ -54,13 +54,14 @@ class FitFile {
   }
 
   /// Lines that are no text are left out.
-  std::vector<std::string> remarks() const {
+  std::vector<std::string> lines(const char* key) const {
     std::vector<std::string> lines;
-    if (json_.contains("remarks") && json_["remarks"].is_array())
-      for (const auto& line : json_["remarks"])
+    if (has(key) && json_[key].is_array())
+      for (const auto& line : json_[key])
         if (line.is_string()) lines.push_back(one_line(line.get<std::string>()));
     return lines;
   }
+  bool is_false(const char* key) const { return has(key) && json_[key] == false; }
 
  private:
   double number_in(const nlohmann::json& json, const char* key, const char* called) const {
@@ -160,8 +161,10 @@ void read_grains(const FitFile& fit, PowderDischarge& law) {
 
 /// What fit-discharge said of the fit goes on to the estimate.
 void add_remarks(const FitFile& fit, PowderDischarge& law) {
-  for (const std::string& remark : fit.remarks())
+  for (const std::string& remark : fit.lines("remarks"))
     law.remark += (law.remark.empty() ? "" : "; ") + fit.name() + " says: " + remark;
+  law.doubts = fit.lines("doubts");
+  law.holds_beyond_longest = !fit.is_false("holds_beyond_largest_x");
 }
 
 }  // namespace

@@ -24,6 +24,13 @@ void add_limits(const Estimate& estimate, const OpeningEstimate& opening, std::v
   if (opening.froude > kLargestFroude && opening.poured < kWhole)
     passed.push_back(results::formatted("the shoe passes at %.2g sqrt(g D) over ", opening.froude) + name +
                      results::formatted(", at most %.2g", kLargestFroude));
+  if (!estimate.law.holds_beyond_longest && opening.longest_x > kSlack * estimate.law.longest)
+    passed.push_back(
+        "powder flows into " + name +
+        results::formatted(" for up to %.3g sqrt(D/g), and ", opening.longest_x + continuum::kBurst) +
+        estimate.law.source +
+        results::formatted(" does not show how it flows after %.3g",
+                           estimate.law.longest + continuum::kBurst));
 }
 
 }  // namespace
@@ -44,6 +51,13 @@ std::string too_coarse(const Estimate& estimate, const OpeningEstimate& opening)
                         "there; take finer grains",
                         1e3 * opening.narrowest);
   return {};
+}
+
+std::string doubts_of_law(const Estimate& estimate) {
+  std::string text;
+  for (const std::string& doubt : estimate.law.doubts)
+    text += (text.empty() ? estimate.law.source + " says: " : "; ") + doubt;
+  return text;
 }
 
 std::vector<std::string> limits_passed(const Estimate& estimate) {

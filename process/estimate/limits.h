@@ -19,6 +19,9 @@ inline constexpr double kLargestFroude = 1 / continuum::kBurst;
 /// not.
 std::string too_coarse(const Estimate& estimate, const OpeningEstimate& opening);
 
+/// Why the discharge law may be none of this powder, as its fit says; empty: it has no such remark.
+std::string doubts_of_law(const Estimate& estimate);
+
 /// The limits of the range that a scene exceeds, a clause each.
 std::vector<std::string> limits_passed(const Estimate& estimate);
 

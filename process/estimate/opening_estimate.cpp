@@ -182,6 +182,21 @@ void find_cover(const EstimateInputs& inputs, std::size_t k, OpeningEstimate& op
     opening.froude = std::sqrt(opening.effective_width / inputs.powder.gravity) / (longest / open);
 }
 
+double longest_x(const EstimateInputs& inputs, std::size_t k) {
+  double longest = 0;
+  for (std::size_t n = 0; n < inputs.layout.places.size(); ++n) {
+    const OpeningPatch& place = inputs.layout.places[n];
+    if (place.opening != k) continue;
+    for (const Exposure& exposure : inputs.path.exposures[n]) {
+      const Portions portions = portions_of(place, exposure, inputs.path, inputs.powder);
+      if (portions.width > 0)
+        longest = std::max(longest, portions.longest() * std::sqrt(inputs.powder.gravity / portions.width) -
+                                        continuum::kBurst);
+    }
+  }
+  return longest;
+}
+
 }  // namespace
 
 OpeningEstimate opening_estimate(const EstimateInputs& inputs, std::size_t k, const PowderEstimate& powder,
@@ -198,6 +213,7 @@ OpeningEstimate opening_estimate(const EstimateInputs& inputs, std::size_t k, co
   opening.effective_width = effective_width(layout.width, inputs.powder);
   opening.full_mass = powder.density * layout.volume;
   opening.offered = inflow_at(inputs.layout, inputs.path, inputs.powder, k, inputs.path.crossings, 1);
+  opening.longest_x = longest_x(inputs, k);
   find_cover(inputs, k, opening);
   const bool by_pour = opening.is_cavity && opening.effective_width > 0 && opening.poured >= kWhole;
   const auto rooms = punch_room(inputs.layout, inputs.path, inputs.powder, k);

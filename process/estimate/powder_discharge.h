@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "process/continuum/discharge.h"
 #include "process/scene/scene.h"
@@ -15,9 +16,11 @@ struct PowderDischarge {
   double longest = 0;  ///< t sqrt(g/D) - 1/5 up to which it was measured; the rate is constant beyond
   /// m, of the grains that feel its openings as they are; 1.4 times what others have more is taken off.
   double grain_diameter = 0;
-  std::string source;   ///< of the numbers
-  std::string applies;  ///< how well they fit this powder, as text
-  std::string remark;   ///< what to beware of, one line; empty: nothing
+  std::string source;                ///< of the numbers
+  std::string applies;               ///< how well they fit this powder, as text
+  std::string remark;                ///< what to beware of, one line; empty: nothing
+  std::vector<std::string> doubts;   ///< why it may be none of this powder, a line each
+  bool holds_beyond_longest = true;  ///< false: it was fitted to flows that show no steady rate
 };
 
 /// The law for a preset or a powder of one's own.

@@ -47,7 +47,9 @@ double let_in(const Scene& scene) {
     if (inflow == nullptr) continue;
     const double by_rate = inflow->rate ? *inflow->rate * std::max(0.0, states[k].ended - states[k].started)
                                         : std::numeric_limits<double>::infinity();
-    mass += inflow->mass.value_or(by_rate);
+    const auto& until = stages.steps[k]->plan.until;
+    const bool known_end = until && !until->measures();
+    mass += inflow->mass ? (known_end ? std::min(*inflow->mass, by_rate) : *inflow->mass) : by_rate;
   }
   return mass;
 }

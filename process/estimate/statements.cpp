@@ -37,13 +37,13 @@ std::string opening_text(const Estimate& estimate, const OpeningEstimate& openin
     return text + ". " + mass(in) + " run through in " + crossings + ", " + mass(opening.least_mass) +
            " to " + mass(opening.most_mass);
   text += ". After " + crossings + " " + mass(in) + " of " + mass(opening.full_mass) +
-          results::formatted(" are in it: %.0f %% full (%.0f to %.0f %%)", percent(opening.share),
-                             percent(opening.least_share), percent(opening.most_share));
+          results::formatted(" are in it: %.0f %% full (%.0f to %.0f %%)", percent_up_to_full(opening.share),
+                             percent_up_to_full(opening.least_share), percent_up_to_full(opening.most_share));
   if (opening.real_particle_share)
     text += results::formatted(
         "; with particles of the powder's own size, %.3g mm, %.0f %%, if the die is not widened for coarse "
         "grains",
-        1e3 * *estimate.powder.particle_diameter, percent(*opening.real_particle_share));
+        1e3 * *estimate.powder.particle_diameter, percent_up_to_full(*opening.real_particle_share));
   if (opening.too_fast > 0.05)
     text += results::formatted(". Over %.0f %% of the opening the shoe is too fast for flow to begin at all",
                                100 * opening.too_fast);
@@ -141,16 +141,28 @@ void add_cycle_statement(const Estimate& estimate, std::vector<Statement>& said)
   said.push_back({"cycle time", text, "the scene's motions", "powder rests at once", "not measured"});
 }
 
+/// What follows a falling punch by its own weight and, where that is known, by suction.
+std::string following_text(const SuctionEstimate& suction) {
+  constexpr double kNothing = 1e-3;  // of the room that the punch makes
+  const double least = kNothing * suction.volume_mass, room = suction.covered * suction.volume_mass;
+  const bool runs = suction.by_weight > least;
+  const std::string text =
+      runs ? mass(suction.by_weight) + " follow by their own weight" : "no powder runs in by its own weight";
+  if (!suction.with_air) return text;
+  if (const double more = *suction.with_air - suction.by_weight; more > least)
+    return text + ", suction brings " + mass(more) + " more";
+  if (!runs) return text + ", nor by suction";
+  return text + (suction.by_weight >= room - least ? ", so suction brings nothing more while powder flows"
+                                                   : ", and suction brings nothing more");
+}
+
 /// What the air that a punch draws does to powder at rest.
 std::string pull_text(const SuctionEstimate& suction) {
   if (!suction.with_air || !suction.pull) return "; give --particle-diameter for what the air does";
-  const double more = *suction.with_air - suction.by_weight;
-  return (more > 1e-3 * suction.volume_mass ? ", suction brings " + mass(more) + " more"
-                                            : ", so suction brings nothing more while powder flows") +
-         results::formatted(
-             "; the air it draws pulls at powder that stands still with %.2g of its weight%s", *suction.pull,
-             *suction.pull > 1 ? ": enough to break bridges that carry no more than themselves"
-                               : ": too little to break bridges, shake the shoe if it may arch");
+  return results::formatted(
+      "; the air it draws pulls at powder that stands still with %.2g of its weight%s", *suction.pull,
+      *suction.pull > 1 ? ": enough to break bridges that carry no more than themselves"
+                        : ": too little to break bridges, shake the shoe if it may arch");
 }
 
 std::string suction_text(const SuctionEstimate& suction) {
@@ -161,7 +173,7 @@ std::string suction_text(const SuctionEstimate& suction) {
   if (!(suction.covered > 0)) return text + ", but no powder stands over it meanwhile";
   if (suction.covered < kWhole)
     text += results::formatted(", %.0f %% of it while powder stands over it", 100 * suction.covered);
-  text += "; " + mass(suction.by_weight) + " follow by their own weight" + pull_text(suction);
+  text += "; " + following_text(suction) + pull_text(suction);
   if (suction.may_arch)
     text +=
         ". Powder may arch over it: the opening is less than four grains wide, and nothing shakes the shoe";

@@ -38,7 +38,7 @@ std::string name_of(const Estimate& estimate, const OpeningEstimate& opening) {
   return opening.name + place_text(opening.centre);
 }
 
-double percent(double share) {
+double percent_up_to_full(double share) {
   return std::min(100.0, 100 * share);
 }
 

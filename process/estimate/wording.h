@@ -19,8 +19,8 @@ std::string name_of(const Estimate& estimate, const OpeningEstimate& opening);
 /// " at x = 12.5 mm, y = 0 mm"
 std::string place_text(const Eigen::Vector2d& centre);
 
-/// A share in percent, at most 100.
-double percent(double share);
+/// A share of what a cavity holds in percent, at most 100.
+double percent_up_to_full(double share);
 
 std::string error_text(const Estimate& estimate);
 std::string valid_text(const Estimate& estimate);

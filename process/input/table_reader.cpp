@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "process/input/allowed_range.h"
 #include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
@@ -22,23 +23,9 @@ std::string place(const std::filesystem::path& file, const toml::source_region& 
   return file.string() + ':' + std::to_string(line) + ':' + std::to_string(column);
 }
 
-/// Such as "more than 0 m/s and at most 10 m/s is allowed".
-std::string allowed_range(std::string_view least, bool above, std::string_view most) {
-  std::string words;
-  if (!least.empty()) words = (above ? "more than " : "at least ") + std::string(least);
-  if (!most.empty()) words += (words.empty() ? "at most " : " and at most ") + std::string(most);
-  return "allowed: " + words;
-}
-
-/// Tolerates the rounding of limits that are written in another unit.
-bool within(double value, double least, bool above, double most) {
-  constexpr double kRounding = 1e-12;
-  return (above ? value > least : value >= least - kRounding * std::abs(least)) &&
-         value <= most + kRounding * std::abs(most);
-}
-
 /// Lists longer than in any scene would take minutes to process.
 constexpr std::size_t kMaxEntries = 1000, kLongestName = 100;
+constexpr std::size_t kLongestKey = 120;  // characters of a path in a message
 /// Names that a message lists before it says how many more there are.
 constexpr std::size_t kMaxListed = 20;
 
@@ -64,8 +51,9 @@ double plain_number(const toml::node& node) {
 
 }  // namespace
 
-TableReader::TableReader(const toml::table& table, std::filesystem::path file, std::string path)
-    : table_(&table), file_(std::move(file)), path_(std::move(path)) {}
+TableReader::TableReader(const toml::table& table, std::filesystem::path file, std::string path,
+                         const WrittenKeys* written)
+    : table_(&table), file_(std::move(file)), path_(std::move(path)), written_(written) {}
 
 int TableReader::line() const {
   return std::max(1, static_cast<int>(table_->source().begin.line));
@@ -73,7 +61,18 @@ int TableReader::line() const {
 
 std::string TableReader::full_key(const std::string& key) const {
   const std::string shown = key.empty() ? "\"\"" : key;
-  return one_line(path_.empty() ? shown : path_ + '.' + shown, 120);
+  return one_line(path_.empty() ? shown : path_ + '.' + shown, kLongestKey);
+}
+
+/// Place and path of the value at `key`, which may name a part of it, such as "position[x]".
+std::string TableReader::named(const toml::source_region& at, const std::string& key) const {
+  const std::size_t part = key.ends_with(']') ? key.rfind('[') : key.size();
+  const std::string whole = key.substr(0, part);
+  const toml::node* value = table_->get(whole);
+  const auto written =
+      written_ != nullptr && value != nullptr ? written_->path_of(*value, whole) : std::nullopt;
+  return place(file_, at) + ": " +
+         (written ? one_line(*written + key.substr(part), kLongestKey) : full_key(key));
 }
 
 const toml::node* TableReader::find(const std::string& key) {
@@ -87,13 +86,12 @@ bool TableReader::has(const std::string& key) {
 
 std::string TableReader::where(const std::string& key) const {
   const toml::node* node = table_->get(key);
-  return place(file_, (node != nullptr ? node : table_)->source()) + ": " + full_key(key);
+  return named((node != nullptr ? node : table_)->source(), key);
 }
 
 void TableReader::reject_node(const toml::node& node, const std::string& key,
                               const std::string& allowed) const {
-  throw SceneError(place(file_, node.source()) + ": " + full_key(key) + ": found " + shown_value(node) +
-                   ", " + allowed);
+  throw SceneError(named(node.source(), key) + ": found " + shown_value(node) + ", " + allowed);
 }
 
 void TableReader::reject(const std::string& key, const std::string& allowed) const {
@@ -305,7 +303,7 @@ std::optional<TableReader> TableReader::table(const std::string& key) {
     const std::string header = '[' + full_key(key) + ']';
     reject_node(*node, key, "expected one table: write " + header + " on its own line with its keys below");
   }
-  return TableReader(*node->as_table(), file_, full_key(key));
+  return TableReader(*node->as_table(), file_, full_key(key), written_);
 }
 
 TableReader TableReader::required_table(const std::string& key) {
@@ -325,7 +323,7 @@ std::vector<TableReader> TableReader::tables(const std::string& key) {
   refuse_long(*list, where(key));
   for (const toml::node& element : *list) {
     if (!element.is_table()) reject_node(element, key, needed);
-    readers.emplace_back(*element.as_table(), file_, full_key(key));
+    readers.emplace_back(*element.as_table(), file_, full_key(key), written_);
   }
   return readers;
 }
@@ -334,7 +332,7 @@ void TableReader::finish() const {
   for (const auto& [name, value] : *table_) {
     const std::string key(name.str());
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-    const std::string at = place(file_, name.source()) + ": " + full_key(key);
+    const std::string at = named(name.source(), key);
     const auto meant = nearest_key(key, known_);
     std::string remedy;
     if (meant) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "process/input/units.h"
+#include "process/input/written_keys.h"
 
 namespace diefill::process {
 
@@ -41,8 +42,10 @@ using Choices = std::vector<std::pair<std::string, Value>>;
 /// reads.
 class TableReader {
  public:
-  /// `path` names the table in messages, such as "powder"; empty for the document itself.
-  TableReader(const toml::table& table, std::filesystem::path file, std::string path);
+  /// `path` names the table in messages, such as "powder"; empty for the document itself. Values that are of
+  /// changes (`written`, which outlives the reader) are named as the changes name them.
+  TableReader(const toml::table& table, std::filesystem::path file, std::string path,
+              const WrittenKeys* written = nullptr);
 
   const std::filesystem::path& file() const { return file_; }
   const std::string& path() const { return path_; }
@@ -109,12 +112,14 @@ class TableReader {
   double checked_quantity(const toml::node& node, const std::string& key, const QuantityRule& rule) const;
   std::optional<std::size_t> chosen(const std::string& key, const std::vector<std::string>& words);
   std::string full_key(const std::string& key) const;
+  std::string named(const toml::source_region& at, const std::string& key) const;
   [[noreturn]] void reject_node(const toml::node& node, const std::string& key,
                                 const std::string& allowed) const;
 
   const toml::table* table_;
   std::filesystem::path file_;
   std::string path_;
+  const WrittenKeys* written_;
   std::vector<std::string> known_;
 };
 

@@ -3,6 +3,10 @@
 
 #include "process/laboratory/settled_bed.h"
 
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
+
 namespace diefill::process::laboratory {
 
 /// Fills in the histogram of overlaps h / d over sphere contacts between grains (20 logarithmic bins a

@@ -1,10 +1,13 @@
 // Settled beds for benchmarks: dense, slow contacts, on which die filling spends its time.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <vector>
 
-#include "engine/simulation/simulation.h"
+#include "engine/powder/new_grain.h"
+#include "engine/simulation/settings.h"
+#include "engine/walls/walls.h"
 
 namespace diefill::process::laboratory {
 

@@ -21,7 +21,7 @@ struct Experiment {
   std::string question;  ///< one line
   /// Fills in limits and charts.
   void (*perform)(const ExperimentOptions& options, results::ExperimentResult& result);
-  bool has_published_figures = false;  ///< its result may be compared with published figures
+  std::vector<std::string> published_figures = {};  ///< ids of those that its result is compared with
 };
 
 /// Runs it and records its processor time.

@@ -5,6 +5,7 @@
 
 #include "engine/observe/energy_balance.h"
 #include "process/laboratory/bed_contacts.h"
+#include "process/laboratory/endless_ground.h"
 #include "process/laboratory/layer_profile.h"
 #include "process/measure/measure.h"
 #include "process/powder/material.h"
@@ -82,14 +83,6 @@ engine::WallBodySpec side_walls(const BedSpec& spec, double height, double margi
     for (int j = -ny; j <= ny; ++j)
       for (const double side : {-x, x}) body.centres.emplace_back(side, j * dy, z);
   return body;
-}
-
-/// No tool in the way, and ground wherever powder falls.
-Tooling endless_ground(const Scene& scene) {
-  Tooling tooling;
-  tooling.standing.include(scene.pour.lower - Eigen::Vector3d::Ones());
-  tooling.standing.include(scene.pour.upper + Eigen::Vector3d::Ones());
-  return tooling;
 }
 
 results::ToolState wall_state(const engine::WallBodySpec& body) {

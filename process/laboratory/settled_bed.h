@@ -2,10 +2,10 @@
 // section 3.2.1, Figs. 3.2 to 3.4) and mean solid fractions (section 4.1.5, Table 4.4).
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "engine/simulation/simulation.h"
 #include "process/results/fill_result.h"
 #include "process/scene/scene.h"
 

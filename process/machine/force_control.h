@@ -1,6 +1,6 @@
-// A tool that follows the powder's resistance instead of a prescribed path: pushed with a given force, or
-// turned with a given torque, by PI control of its speed. It may seek several of them in turn, and unload
-// between them; a rotor may also turn at a given speed, until its torque is steady.
+// A tool moved by force or torque instead of along a prescribed path: PI control of its speed brings the
+// powder's resistance to a target. Several targets may follow each other, with unloading between them; a
+// rotor may also turn at a given speed until its torque is steady.
 #pragma once
 
 #include <cstdint>
@@ -23,44 +23,44 @@ struct ControlState {
   double rate = 0;           ///< m/s or rad/s from then on
   double integral = 0;       ///< m/s or rad/s, the integral part of the rate
   double since = 0;          ///< s
-  std::uint64_t passed = 0;  ///< targets that were held long enough; one more after the retreat
-  double reached = -1;       ///< s, when the present target was; negative: not yet
-  double turned_back = 0;    ///< m, coordinate where the last target was left
-  double load = 0;           ///< N or N m, the first resistance that was measured
-  double last = 0;           ///< N or N m, the one before the present
+  std::uint64_t passed = 0;  ///< targets held for the pause; one more once the retreat is over
+  double reached = -1;       ///< s, when the current target was reached; negative: not yet
+  double turned_back = 0;    ///< m, coordinate where the latest target was left
+  double load = 0;           ///< N or N m, resistance measured first
+  double last = 0;           ///< N or N m, resistance measured last
   std::uint64_t updates = 0;
   SteadyWatch steady;
 
   double coordinate_at(double time) const { return coordinate + rate * (time - since); }
 };
 
-/// Targets and limits of the control. Units of a line, with those of a rotation in brackets.
+/// Targets and limits of the control. Units are those of a piston, in brackets those of a rotor.
 struct ForceControl {
-  static constexpr double kReached = 0.01;  ///< of a target: as near as this it counts as reached
-  static constexpr double kNear = 0.02;     ///< of a target: the integral part of a piston acts within this
+  static constexpr double kReached = 0.01;  ///< deviation over target below which it counts as reached
+  static constexpr double kNear = 0.02;     ///< the same below which a piston's integral part acts
 
   bool turns = false;  ///< a torque about the axis, not a force along it
   RotationAxis axis;   ///< of pushing or turning
-  /// N (N m), wanted resistance of the powder, one after the other; none: it moves at the speed limit,
-  /// whatever the powder resists.
+  /// N (N m), resistances of the powder to reach one after the other; none: the tool moves at the speed
+  /// limit whatever the resistance.
   std::vector<double> targets;
-  double speed_limit = 0;       ///< m/s (rad/s)
-  double gain = 0.5;            ///< speed without resistance over the speed limit
-  double integral_time = 0;     ///< s
-  double travel = 0;            ///< m (rad), farthest from the start
-  double back = 0;              ///< m (rad), farthest behind the start
-  std::optional<double> pause;  ///< s for which each target is held; nothing: the first one is held for ever
-  double retreat = 0;           ///< m, way back after the last one
-  bool ends_at_travel = false;  ///< over once it has gone that far
-  std::optional<SteadyRule> steady;  ///< over once its resistance is steady
+  double speed_limit = 0;            ///< m/s (rad/s)
+  double gain = 0.5;                 ///< speed without resistance over the speed limit
+  double integral_time = 0;          ///< s
+  double travel = 0;                 ///< m (rad), largest distance from the start
+  double back = 0;                   ///< m (rad), largest distance behind the start
+  std::optional<double> pause;       ///< s, hold of each target; nothing: the first without end
+  double retreat = 0;                ///< m, way back after the last target
+  bool ends_at_travel = false;       ///< the step ends after `travel`
+  std::optional<SteadyRule> steady;  ///< the step ends once the resistance is steady
 
-  /// Whether it ends without being stopped.
+  /// Whether the step ends without a given duration.
   bool ends_by_itself() const { return pause || ends_at_travel || steady; }
-  /// The target that is sought or held; 0 where it moves at a given speed.
+  /// N (N m), the current target; 0 where the tool moves at a given speed.
   double wanted(const ControlState& state) const;
   double largest_target() const;
-  /// Whether all targets were held and the way back is over, it has gone as far as it should, or its
-  /// resistance is steady.
+  /// Whether the step is over: all targets were held and the retreat is over, the tool has gone its travel,
+  /// or its resistance is steady.
   bool done(const ControlState& state) const;
   /// The powder's resistance, N (N m), to a body on which it acts with `force` (N) and `torque` (N m, about
   /// `place`, m).
@@ -77,8 +77,7 @@ struct ForceControl {
   double requested_rate(ControlState& state, double measured, double interval) const;
 };
 
-/// A tool under force control. Its motion as a function of time, used to see what it can reach, is that
-/// without any resistance.
+/// A tool under force control. motion(), which tells where the tool can get to, is that without resistance.
 class ControlledTool final : public Step {
  public:
   ControlledTool(std::vector<std::string> tools, const ForceControl& control, std::optional<double> duration)

@@ -164,7 +164,7 @@ const ExpectedError* largest(const std::vector<ExpectedError>& errors) {
   return found == errors.end() ? nullptr : &*found;
 }
 
-std::string words_of(const std::vector<ExpectedError>& errors) {
+std::string text_of_errors(const std::vector<ExpectedError>& errors) {
   std::string text;
   for (const auto& error : errors) {
     std::string known = error.scatter > 0 ? results::formatted("scatter %.2g %%", 100 * error.scatter) : "";

@@ -44,6 +44,6 @@ std::vector<ExpectedError> expected_errors(const PowderSpec& powder, double grai
 const ExpectedError* largest(const std::vector<ExpectedError>& errors);
 
 /// "mass in the cavity 3.1 % (scatter 1.2 %, extrapolated beyond d/b = 0.33)", and so on.
-std::string words_of(const std::vector<ExpectedError>& errors);
+std::string text_of_errors(const std::vector<ExpectedError>& errors);
 
 }  // namespace diefill::process::plan

@@ -17,13 +17,13 @@ namespace diefill::process::plan {
 namespace {
 
 /// A trial first measures how fast this machine computes the scene: sphere-steps, and s at most.
-constexpr double kScoutSphereSteps = 3e7, kScoutTakes = 1;
+constexpr double kTrialSphereSteps = 3e7, kTrialSeconds = 1;
 /// Share of its limit that the pilot is sized for: settling, which the trial measures, costs more than later
 /// phases, but contacts with tools come later.
 constexpr double kShareOfLimit = 0.6;
-/// s of motion that are enough to measure its cost, and by what factor the limit may be exceeded to reach
+/// s of computing motion that are enough to measure its cost, and the largest multiple of the limit to reach
 /// them or to see how long powder keeps running out.
-constexpr double kMotionAtLeast = 3, kPatience = 3;
+constexpr double kMotionAtLeast = 3, kLargestOverLimit = 3;
 /// Share of the predicted run time that a pilot may take, and the largest multiple of its limit: the cost of
 /// a passage changes along its travel (gear: from 7.9 to 10 ns a sphere and step), and a user who waits an
 /// hour for a run can wait a minute for its plan.
@@ -102,21 +102,21 @@ SizeCost size_cost_if_sound(const engine::Simulation& bed) {
 /// be called rest, so that a longer time than usual says nothing about a run with more grains.
 void note_rest_times(bool rests_once, bool full_size, Pilot& pilot) {
   const RestTimes usual;
-  const auto credible = [&](double seen, double otherwise) {
-    return full_size ? seen : std::min(seen, otherwise);
+  const auto at_full_size = [&](double seen, double as_usual) {
+    return full_size ? seen : std::min(seen, as_usual);
   };
   const PhaseCost &fall = pilot.of(PhaseKind::fall), &rest = pilot.of(PhaseKind::rest);
   if (fall.whole)
-    pilot.rest.after_fall = credible(std::max(0.0, fall.seconds - pilot.fall_time), usual.after_fall);
+    pilot.rest.after_fall = at_full_size(std::max(0.0, fall.seconds - pilot.fall_time), usual.after_fall);
   if (rests_once && (rest.whole || rest.seconds > usual.after_motion))
-    pilot.rest.after_motion = credible(rest.seconds, usual.after_motion);
+    pilot.rest.after_motion = at_full_size(rest.seconds, usual.after_motion);
 }
 
 /// What a pilot may take.
 struct PilotLimits {
   double sphere_steps;  ///< predicted
-  double wall;          ///< s of computing, if it has seen enough by then
-  double patience;      ///< s, in any case
+  double wall;          ///< s of computing, where all phases that matter were seen by then
+  double wall_at_most;  ///< s of computing, in any case
   bool quick;           ///< no longer for long scenes, and the cost of size is not measured
 };
 
@@ -137,7 +137,7 @@ class PilotRun {
 
   Pilot run(int threads) {
     std::atomic<bool> stop{false};
-    Alarm alarm(limits_.patience, stop);
+    Alarm alarm(limits_.wall_at_most, stop);
     const CheckpointFolder folder;
     RunOptions options;
     options.threads = threads;
@@ -232,13 +232,13 @@ PhaseCost Pilot::cost_of_all() const {
 }
 
 Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double wall_limit) {
-  const PilotLimits little{kScoutSphereSteps, kScoutTakes, kScoutTakes, true};
-  const Pilot scout = PilotRun(scene, tooling, little).run(threads);
-  double affordable = kScoutSphereSteps;
-  if (scout.cost_of_all().sphere_steps > 0)
-    affordable =
-        std::max(affordable, kShareOfLimit * wall_limit / scout.cost_of_all().seconds_per_sphere_step());
-  return PilotRun(scene, tooling, {affordable, wall_limit, kPatience * wall_limit, false}).run(threads);
+  const PilotLimits trial_limits{kTrialSphereSteps, kTrialSeconds, kTrialSeconds, true};
+  const PhaseCost trial = PilotRun(scene, tooling, trial_limits).run(threads).cost_of_all();
+  double affordable = kTrialSphereSteps;
+  if (trial.sphere_steps > 0)
+    affordable = std::max(affordable, kShareOfLimit * wall_limit / trial.seconds_per_sphere_step());
+  return PilotRun(scene, tooling, {affordable, wall_limit, kLargestOverLimit * wall_limit, false})
+      .run(threads);
 }
 
 }  // namespace diefill::process::plan

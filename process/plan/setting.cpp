@@ -119,30 +119,30 @@ double printed_over_exact(const PowderSpec& powder) {
 /// Lays `value` over `key` of a table, and says what stood there.
 template <class Value>
 void replace_in(toml::table& into, const std::string& table, const std::string& key, const Value& value,
-                std::vector<std::string>& said) {
+                std::vector<std::string>& notes) {
   const auto show = [&] { return shown_value(*into.get(key)); };
   const std::string before = into.contains(key) ? show() : "";
   into.insert_or_assign(key, value);
   if (before != show())
-    said.push_back(table + "." + key + " = " + show() + (before.empty() ? "" : ", replacing " + before));
+    notes.push_back(table + "." + key + " = " + show() + (before.empty() ? "" : ", replacing " + before));
 }
 
 /// The same for [table] of the document, which is added where it is missing.
 template <class Value>
 void replace(toml::table& document, const std::string& table, const std::string& key, const Value& value,
-             std::vector<std::string>& said) {
+             std::vector<std::string>& notes) {
   if (!document.contains(table)) document.insert(table, toml::table{});
-  replace_in(*document[table].as_table(), table, key, value, said);
+  replace_in(*document[table].as_table(), table, key, value, notes);
 }
 
 /// In the key where powders of their kind have it.
 void set_grain_size(toml::table& powder, const std::string& name, double millimetres,
-                    std::vector<std::string>& said) {
+                    std::vector<std::string>& notes) {
   const std::string text = results::formatted("%.4g mm", millimetres);
   if (toml::table* sizes = powder["sizes"].as_table())
-    replace_in(*sizes, name + ".sizes", "mean_size", text, said);
+    replace_in(*sizes, name + ".sizes", "mean_size", text, notes);
   else
-    replace_in(powder, name, "grain_diameter", text, said);
+    replace_in(powder, name, "grain_diameter", text, notes);
 }
 
 /// s, what the program chooses for grains of this diameter.
@@ -171,13 +171,13 @@ void choose_time_step(SettingNumbers& numbers, const Scene& scene, double factor
 
 /// All powders become coarser by the same factor, so that their grains keep their ratios of size.
 void set_sizes_of_others(toml::table& document, const Scene& scene, double factor,
-                         std::vector<std::string>& said) {
+                         std::vector<std::string>& notes) {
   toml::array* others = document["other_powder"].as_array();
   if (others == nullptr) return;
   for (std::size_t k = 0; k < others->size(); ++k) {
     const PowderSpec& powder = scene.other_powders[k].powder;
     set_grain_size(*others->get(k)->as_table(), "other_powder." + powder.label,
-                   rounded_down(1e3 * factor * powder.grain_diameter * printed_over_exact(powder)), said);
+                   rounded_down(1e3 * factor * powder.grain_diameter * printed_over_exact(powder)), notes);
   }
 }
 
@@ -203,21 +203,22 @@ SettingNumbers numbers_of(Setting setting, const Scene& scene, const geometry::C
 
 Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std::string& origin) {
   toml::table document = parse_scene_text(scene.text, scene.file);
-  std::vector<std::string> said = {origin};
+  std::vector<std::string> notes = {origin};
   document.erase("setting");
   const double millimetres = rounded_down(1e3 * numbers.grain_diameter * printed_over_exact(scene.powder));
   if (!document.contains("powder")) document.insert("powder", toml::table{});
-  set_grain_size(*document["powder"].as_table(), "powder", millimetres, said);
-  set_sizes_of_others(document, scene, numbers.grain_diameter / scene.powder.grain_diameter, said);
+  set_grain_size(*document["powder"].as_table(), "powder", millimetres, notes);
+  set_sizes_of_others(document, scene, numbers.grain_diameter / scene.powder.grain_diameter, notes);
   if (document.contains("numerics"))
     for (const char* key : {"time_step", "time_step_fraction"}) document["numerics"].as_table()->erase(key);
   if (numbers.time_step)
-    replace(document, "numerics", "time_step", results::formatted("%.4g us", 1e6 * *numbers.time_step), said);
-  replace(document, "walls", "spacing", numbers.wall_spacing, said);
+    replace(document, "numerics", "time_step", results::formatted("%.4g us", 1e6 * *numbers.time_step),
+            notes);
+  replace(document, "walls", "spacing", numbers.wall_spacing, notes);
   replace(document, "pour", "fill_height",
-          results::formatted("%.4g mm", rounded_down(1e3 * numbers.fill_height)), said);
+          results::formatted("%.4g mm", rounded_down(1e3 * numbers.fill_height)), notes);
   try {
-    return scene_of(document, as_comment(said) + scene_text_of(document), scene.file);
+    return scene_of(document, as_comment(notes) + scene_text_of(document), scene.file);
   } catch (const SceneError& error) {
     throw SceneError(std::string(error.what()) + " (chosen by " + origin + ")");
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/simulation/simulation.h"
 #include "process/plan/processor_use.h"
 
 namespace diefill::process::plan {

@@ -5,7 +5,9 @@
 
 #include <vector>
 
-#include "engine/simulation/simulation.h"
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
 
 namespace diefill::process::plan {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/simulation/settings.h"
 #include "process/powder/tool_surface.h"
 #include "process/scene/contact_spec.h"
 

@@ -4,8 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/simulation/simulation.h"
 #include "process/scene/scene.h"
+
+namespace diefill::engine {
+struct SimulationSettings;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/simulation/simulation.h"
 #include "process/powder/changed_scene.h"
 #include "process/powder/powder_mixture.h"
 #include "process/scene/contact_spec.h"

@@ -2,10 +2,14 @@
 // parameters.
 #pragma once
 
-#include "engine/simulation/simulation.h"
+#include "engine/simulation/settings.h"
 #include "process/powder/mixed_powder.h"
 #include "process/powder/time_steps.h"
 #include "process/scene/scene.h"
+
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

@@ -11,7 +11,9 @@
 // [contact] gives in N/m and N s/m are the same for all sizes.
 #pragma once
 
-#include "engine/simulation/simulation.h"
+#include <vector>
+
+#include "engine/powder/particle_types.h"
 #include "process/powder/scene_laws.h"
 
 namespace diefill::process {

@@ -2,10 +2,13 @@
 // the height of its own size, so that small ones are not spread thin.
 #pragma once
 
+#include <Eigen/Core>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
-#include "engine/simulation/simulation.h"
+#include "engine/powder/new_grain.h"
+#include "engine/powder/particle_types.h"
 #include "process/powder/random.h"
 #include "process/scene/scene.h"
 

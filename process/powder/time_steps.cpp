@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/limits/time_step.h"
+#include "engine/simulation/settings.h"
 #include "process/input/numbers_apart.h"
 #include "process/input/units.h"
 #include "process/powder/tool_surface.h"

@@ -1,8 +1,11 @@
 // Time steps of a scene: what its powder and tools allow, and the one used.
 #pragma once
 
-#include "engine/simulation/simulation.h"
 #include "process/scene/scene.h"
+
+namespace diefill::engine {
+struct SimulationSettings;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

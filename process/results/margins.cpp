@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kEnergy = "energy_balance_error";
 
-std::string percent(double share) {
+std::string percent_in_two_digits(double share) {
   return in_significant_digits(100 * share, 2) + " %";
 }
 
@@ -40,9 +40,9 @@ std::vector<std::string> exceeded_text(const FillResult& result) {
   for (const Margin& margin : margins(result)) {
     if (!margin.exceeded()) continue;
     if (margin.name == title_of(figure_called(kEnergy)))
-      lines.push_back("energy balance: " + percent(std::abs(margin.found)) + " of the energy exchanged was " +
-                      (margin.found < 0 ? "lost" : "gained") + " without explanation, above the limit of +-" +
-                      percent(margin.limit) +
+      lines.push_back("energy balance: " + percent_in_two_digits(std::abs(margin.found)) +
+                      " of the energy exchanged was " + (margin.found < 0 ? "lost" : "gained") +
+                      " without explanation, above the limit of +-" + percent_in_two_digits(margin.limit) +
                       ": do not rely on this run; use a shorter time step "
                       "(numerics.time_step_fraction) and compare");
     else

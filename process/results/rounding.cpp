@@ -65,6 +65,10 @@ std::string mass_text(double mass, int digits) {
                                                         : in_significant_digits(1e3 * mass, digits) + " g";
 }
 
+std::string whole_percent(double share) {
+  return at_decimals(100 * share, 0) + " %";
+}
+
 std::string unit_behind(const std::string& unit) {
   return unit == "1" || unit.empty() ? "" : ' ' + unit;
 }

@@ -25,6 +25,9 @@ std::string in_significant_digits(double value, int digits);
 /// " mm" to stand behind a number; nothing for plain numbers, whose unit is "1" or empty.
 std::string unit_behind(const std::string& unit);
 
+/// A share as "42 %", in whole percent.
+std::string whole_percent(double share);
+
 /// A mass in kg as "3.12 g" or "45.6 mg", with `digits` significant digits.
 std::string mass_text(double mass, int digits = 3);
 

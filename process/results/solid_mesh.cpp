@@ -38,16 +38,19 @@ void refuse_twins(std::vector<std::uint64_t> numbers, const std::string& what) {
                                 " is defined twice, allowed: each number once");
 }
 
-}  // namespace
-
-const std::vector<ElementKind>& element_kinds() {
-  static const std::vector<ElementKind> all = {
+std::vector<ElementKind> tetrahedra() {
+  return {
       {ElementShape::tetra4, 4, 10, "tetrahedron of 4 nodes", {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}},
       {ElementShape::tetra10,
        10,
        24,
        "tetrahedron of 10 nodes",
        {{0, 6, 2, 5, 1, 4}, {0, 4, 1, 8, 3, 7}, {1, 5, 2, 9, 3, 8}, {2, 6, 0, 7, 3, 9}}},
+  };
+}
+
+std::vector<ElementKind> hexahedra() {
+  return {
       {ElementShape::hexa8,
        8,
        12,
@@ -63,6 +66,11 @@ const std::vector<ElementKind>& element_kinds() {
         {1, 9, 2, 18, 6, 13, 5, 17},
         {2, 10, 3, 19, 7, 14, 6, 18},
         {3, 11, 0, 16, 4, 15, 7, 19}}},
+  };
+}
+
+std::vector<ElementKind> wedges() {
+  return {
       {ElementShape::wedge6,
        6,
        13,
@@ -77,12 +85,28 @@ const std::vector<ElementKind>& element_kinds() {
         {0, 6, 1, 13, 4, 9, 3, 12},
         {1, 7, 2, 14, 5, 10, 4, 13},
         {2, 8, 0, 12, 3, 11, 5, 14}}},
+  };
+}
+
+std::vector<ElementKind> pyramids() {
+  return {
       {ElementShape::pyramid5,
        5,
        14,
        "pyramid of 5 nodes",
        {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}},
   };
+}
+
+}  // namespace
+
+const std::vector<ElementKind>& element_kinds() {
+  static const std::vector<ElementKind> all = [] {
+    std::vector<ElementKind> kinds;  // in the order of ElementShape, for kind_of
+    for (const auto& some : {tetrahedra(), hexahedra(), wedges(), pyramids()})
+      kinds.insert(kinds.end(), some.begin(), some.end());
+    return kinds;
+  }();
   return all;
 }
 

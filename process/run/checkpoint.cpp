@@ -14,7 +14,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '1', '9'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '2', '0'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   engine::Fnv1a hash;
@@ -43,6 +43,10 @@ void transfer(Io& io, Contents& checkpoint) {
   io(checkpoint.grains_sheared);
   io(checkpoint.leaks.grains);
   io(checkpoint.leaks.warned);
+  io(checkpoint.strays.grains);
+  io(checkpoint.strays.tool);
+  io(checkpoint.strays.place);
+  io(checkpoint.strays.time);
   transfer_warnings(io, checkpoint.warnings);
   io(checkpoint.wall_seconds);
   io(checkpoint.sphere_steps);

@@ -5,8 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/simulation/simulation.h"
 #include "process/scene/scene.h"
+
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

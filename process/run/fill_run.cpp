@@ -50,6 +50,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
       snapshots_(scene),
       lost_grains_(tooling, grain_diameters(scene)),
       leak_watch_(tooling, largest_grain(scene)),
+      stray_watch_(tooling),
       progress_(options.show_progress) {
   const auto grains = pour(scene, engine_settings(scene, 1.0), tooling);
   if (setting_of(scene)) throw std::logic_error("a setting must be turned into numbers before a scene runs");
@@ -212,19 +213,21 @@ void FillRun::keep_instant() {
 }
 
 void FillRun::check_for_lost_grains() {
-  auto strayed = lost_grains_.strayed(
+  const auto strayed = lost_grains_.strayed(
       *simulation_, static_cast<double>(kLostGrainInterval) * simulation_->settings().time_step);
   if (strayed.empty()) return;
   sync_contacts();
-  // Where tools touch, a grain may have come into two.
-  std::sort(strayed.begin(), strayed.end());
-  strayed.erase(std::unique(strayed.begin(), strayed.end()), strayed.end());
-  for (const std::uint64_t id : strayed) {
-    const std::size_t k = place_of(id);
+  const bool first = stray_watch_.state().grains == 0;
+  std::vector<std::uint64_t> ids;
+  for (const StrayGrain& grain : strayed) {
+    const std::size_t k = place_of(grain.id);
     probes_.count_removed(simulation_->grains().position[k], simulation_->shape_of(k).mass, 1);
     removed_.add(simulation_->grains().type_of(k));
+    stray_watch_.count_removed(grain, simulation_->time());
+    ids.push_back(grain.id);
   }
-  simulation_->remove_grains(strayed);
+  simulation_->remove_grains(ids);
+  if (first) progress_.note("warning: " + *stray_watch_.warning(grains_poured()));
 }
 
 std::size_t FillRun::place_of(std::uint64_t id) const {
@@ -260,6 +263,7 @@ std::vector<std::string> FillRun::warnings() const {
   all.insert(all.end(), monitor_.warnings().begin(), monitor_.warnings().end());
   if (sheared_.grains() > 0) all.push_back(shear_warning());
   if (auto leak = leak_watch_.warning(grains_poured())) all.push_back(std::move(*leak));
+  if (auto stray = stray_watch_.warning(grains_poured())) all.push_back(std::move(*stray));
   return all;
 }
 

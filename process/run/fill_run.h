@@ -19,6 +19,7 @@
 #include "process/run/schedule.h"
 #include "process/run/snapshots.h"
 #include "process/run/step_engine.h"
+#include "process/run/stray_watch.h"
 #include "process/scene/identity.h"
 #include "process/tooling/grain_tally.h"
 #include "process/tooling/progress.h"
@@ -144,6 +145,7 @@ class FillRun {
   engine::ValidityMonitor monitor_;
   LostGrains lost_grains_;
   LeakWatch leak_watch_;
+  StrayWatch stray_watch_;
   Progress progress_;
   geometry::Box domain_;  ///< m, grains beyond it have been spilled or discharged
   std::vector<std::string> warnings_;

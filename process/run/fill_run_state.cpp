@@ -65,6 +65,7 @@ void FillRun::resume_from(const Checkpoint& checkpoint) {
   removed_ = GrainTally(checkpoint.grains_removed);
   sheared_ = GrainTally(checkpoint.grains_sheared);
   leak_watch_.restore(checkpoint.leaks);
+  stray_watch_.restore(checkpoint.strays);
   monitor_.restore(checkpoint.warnings);
   earlier_wall_seconds_ = checkpoint.wall_seconds;
   sphere_steps_ = checkpoint.sphere_steps;
@@ -83,6 +84,7 @@ Checkpoint FillRun::checkpoint() const {
   checkpoint.grains_removed = removed_.by_kind();
   checkpoint.grains_sheared = sheared_.by_kind();
   checkpoint.leaks = leak_watch_.state();
+  checkpoint.strays = stray_watch_.state();
   checkpoint.warnings = monitor_.state();
   checkpoint.wall_seconds = wall_seconds();
   checkpoint.sphere_steps = sphere_steps_;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "engine/powder/rigid_motion.h"
+#include "engine/simulation/simulation.h"
 #include "process/machine/free_motion.h"
 #include "process/tooling/free_tool.h"
 

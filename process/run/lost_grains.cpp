@@ -1,5 +1,6 @@
 #include "process/run/lost_grains.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -47,22 +48,23 @@ LostGrains::LostGrains(const Tooling& tooling, std::vector<double> grain_diamete
 }
 
 /// Where on the surface (m, body frame) a grain at `place`, moving with `velocity` (m/s) against the tool,
-/// came in: back along its way, at most twice as far as it went in `interval` (s), for it may have been
-/// faster.
+/// came in. At the last check, `interval` (s) ago, it was at most half a grain deep: back along its way to
+/// such a depth, at most twice as far as it went since then, for it may have been faster, and from there to
+/// the nearest surface. Farther back the velocity tells nothing: a grain half in a tool may have bounced off
+/// wall spheres that stand beside the place where it came in.
 Eigen::Vector3d LostGrains::entry(const Inside& tool, const Eigen::Vector3d& place,
                                   const Eigen::Vector3d& velocity, double grain_diameter,
                                   double interval) const {
-  const double step = 0.25 * grain_diameter, farthest = grain_diameter + 2 * velocity.norm() * interval;
-  if (velocity.norm() > 0)
-    for (double way = step; way < farthest; way += step) {
-      const auto before = tool.solid.signed_nearest(place - way * velocity.normalized());
-      if (!before.inside) return before.point;
-    }
+  const double step = 0.25 * grain_diameter, farthest = 2 * velocity.norm() * interval;
+  for (double way = step; way <= farthest; way += step) {
+    const auto before = tool.solid.signed_nearest(place - way * velocity.normalized());
+    if (!before.inside || before.distance <= 0.5 * grain_diameter) return before.point;
+  }
   return tool.solid.nearest(place).point;
 }
 
-std::vector<std::uint64_t> LostGrains::strayed(const engine::Simulation& simulation, double interval) const {
-  std::vector<std::uint64_t> ids;
+std::vector<StrayGrain> LostGrains::strayed(const engine::Simulation& simulation, double interval) const {
+  std::vector<StrayGrain> strayed;
   const auto& grains = simulation.grains();
   for (std::size_t b = 0; b < tools_.size(); ++b) {
     const engine::BodyMotion& pose = simulation.body_motion(b);
@@ -79,10 +81,14 @@ std::vector<std::uint64_t> LostGrains::strayed(const engine::Simulation& simulat
           pose.rotation.transpose() * (grains.velocity[k] - pose.velocity_at(grains.position[k]));
       if (tool.wall_spheres.any_within(entry(tool, place, velocity, diameter, interval), tool.cover_reach))
         throw through_the_wall(simulation, k, depth, tooling_.tools[b].spec.name);
-      ids.push_back(grains.id[k]);
+      strayed.push_back({grains.id[k], b, grains.position[k]});
     }
   }
-  return ids;
+  // Where tools touch, a grain may have come into two.
+  std::ranges::stable_sort(strayed, {}, &StrayGrain::id);
+  const auto repeated = std::ranges::unique(strayed, {}, &StrayGrain::id);
+  strayed.erase(repeated.begin(), repeated.end());
+  return strayed;
 }
 
 }  // namespace diefill::process

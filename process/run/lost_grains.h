@@ -9,6 +9,7 @@
 #include "geometry/grids/point_grid.h"
 #include "geometry/reach/voxel_grid.h"
 #include "geometry/solid/solid_query.h"
+#include "process/run/stray_watch.h"
 #include "process/tooling/tooling.h"
 
 namespace diefill::process {
@@ -20,9 +21,9 @@ class LostGrains {
   /// `tooling` must outlive it.
   LostGrains(const Tooling& tooling, std::vector<double> grain_diameters);
 
-  /// Ids of grains that came into a tool, in the last `interval` (s), where it carries no wall spheres.
-  /// Throws engine::OutOfRange for one that came in through a wall.
-  std::vector<std::uint64_t> strayed(const engine::Simulation& simulation, double interval) const;
+  /// Grains that came into a tool where it carries no wall spheres, each once, by id; `interval`: s since the
+  /// last check. Throws engine::OutOfRange for one that came in through a wall.
+  std::vector<StrayGrain> strayed(const engine::Simulation& simulation, double interval) const;
 
  private:
   struct Inside {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/simulation/simulation.h"
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
 #include "process/powder/random.h"

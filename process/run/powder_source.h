@@ -4,11 +4,15 @@
 
 #include <vector>
 
-#include "engine/simulation/simulation.h"
+#include "engine/powder/new_grain.h"
 #include "geometry/solid/solid_query.h"
 #include "process/machine/actions/powder_inflow.h"
 #include "process/run/schedule.h"
 #include "process/tooling/tooling.h"
+
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

@@ -1,6 +1,7 @@
 #include "process/run/powder_state.h"
 
 #include "engine/observe/contact_stress.h"
+#include "engine/simulation/simulation.h"
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
 

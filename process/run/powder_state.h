@@ -1,10 +1,14 @@
 // The powder of a running simulation as results describe it.
 #pragma once
 
-#include "engine/simulation/simulation.h"
 #include "process/results/fill_result.h"
 #include "process/scene/scene.h"
 #include "process/tooling/die_frame.h"
+
+namespace diefill::engine {
+class Simulation;
+struct GrainShape;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/observe/energy_balance.h"
+#include "engine/simulation/simulation.h"
 #include "process/measure/cavity_position.h"
 #include "process/tooling/die_frame.h"
 #include "process/tooling/grain_tally.h"

@@ -2,11 +2,16 @@
 // energy. A scene without probes has no cost.
 #pragma once
 
+#include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
-#include "engine/simulation/simulation.h"
 #include "process/results/fill_result.h"
 #include "process/tooling/tooling.h"
+
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

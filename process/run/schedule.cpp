@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/simulation/simulation.h"
 #include "process/machine/actions/powder_inflow.h"
 #include "process/machine/free_motion.h"
 #include "process/machine/moving_tool.h"

@@ -2,15 +2,20 @@
 // tools.
 #pragma once
 
+#include <Eigen/Core>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "engine/simulation/simulation.h"
 #include "process/machine/step.h"
 #include "process/results/fill_result.h"
 #include "process/tooling/stages.h"
 #include "process/tooling/tooling.h"
+
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

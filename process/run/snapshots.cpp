@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "engine/simulation/simulation.h"
+
 namespace diefill::process {
 
 namespace {

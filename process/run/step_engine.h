@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/simulation/simulation.h"
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "engine/simulation/settings.h"
 #include "process/input/scene_error.h"
 #include "process/powder/material.h"
 

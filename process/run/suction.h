@@ -4,8 +4,11 @@
 #include <optional>
 
 #include "engine/contact/air_flow.h"
-#include "engine/simulation/simulation.h"
 #include "process/tooling/tooling.h"
+
+namespace diefill::engine {
+struct SimulationSettings;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

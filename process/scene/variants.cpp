@@ -137,7 +137,7 @@ std::vector<Variant> named_variants(const toml::table& document, const std::file
 }
 
 /// Names of the keys on the way to `key`, outermost first.
-std::vector<std::string> words_of(const std::string& key, const std::filesystem::path& file) {
+std::vector<std::string> names_on_path(const std::string& key, const std::filesystem::path& file) {
   toml::table nested = parse_scene_text(key + " = 0", file);
   std::vector<std::string> words;
   for (const toml::table* table = &nested; table != nullptr && table->size() == 1;) {
@@ -210,18 +210,20 @@ bool has_variants(const Scene& scene) {
 Scene changed_scene(const std::string& text, const std::filesystem::path& file, const SceneChanges& changes) {
   toml::table document = parse_scene_text(text, file);
   document.erase("variant");
-  for (const std::string& key : changes.without) take_out(document, words_of(key, file));
+  for (const std::string& key : changes.without) take_out(document, names_on_path(key, file));
+  WrittenKeys written;
   for (const std::string& layer : {changes.under, changes.set}) {
     toml::table laid = parse_changes(layer, changes.source);
+    written.add(laid);
     merge(document, laid, file, "");
   }
-  return scene_of(document, scene_text_of(document), file);
+  return scene_of(document, scene_text_of(document), file, written);
 }
 
 std::optional<std::string> value_at(const std::string& text, const std::filesystem::path& file,
                                     const std::string& key) {
   toml::table document = parse_scene_text(text, file);
-  const toml::node* node = node_at(document, words_of(key, file));
+  const toml::node* node = node_at(document, names_on_path(key, file));
   if (node == nullptr) return std::nullopt;
   if (const auto word = node->value_exact<std::string>()) return word;
   if (const auto number = node->value_exact<double>()) return number_text(*number);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "process/machine/actions/powder_change.h"
 #include "process/machine/actions/powder_inflow.h"
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
@@ -88,13 +89,29 @@ void refuse_narrow_half(const Scene& scene, const Tooling& tooling, const Powder
   throw SceneError(step + ": " + box_text(inflow) + text);
 }
 
-/// kg/s for which grains that fall out of the box make room.
-double largest_rate(const Scene& scene, const PowderInflow& inflow, double share) {
+/// m/s^2, the largest magnitude of gravity while a step in `of` is active: as the latest step that began
+/// before or with it left it, or as one sets it meanwhile.
+double gravity_during(const Scene& scene, const std::vector<StepState>& states, const StepState& of) {
+  double at_start = scene.gravity.norm(), meanwhile = 0, latest = -1;
+  for (std::size_t k = 0; k < scene.steps.size(); ++k) {
+    const PowderChange* change = scene.steps[k]->change();
+    const double time = states[k + 1].started;
+    if (change == nullptr || !change->gravity || time < 0) continue;
+    if (time > of.started && time < of.ended)
+      meanwhile = std::max(meanwhile, change->gravity->norm());
+    else if (time <= of.started && time >= latest)
+      latest = time, at_start = change->gravity->norm();
+  }
+  return std::max(at_start, meanwhile);
+}
+
+/// kg/s for which grains that fall out of the box under gravity `g` (m/s^2) make room.
+double largest_rate(const Scene& scene, const PowderInflow& inflow, double share, double g) {
   const double across = 2 * mean_grain(scene).bounding_radius();
   const Eigen::Vector3d size = (inflow.upper - inflow.lower).cwiseMax(across);
   const double grain = std::numbers::pi / 6 * across * across * across;
   const double held = std::max(1.0, kRandomPacking * share * size.prod() / grain) * mean_grain(scene).mass;
-  const double height = size.z(), speed = std::abs(inflow.velocity.z()), g = scene.gravity.norm();
+  const double height = size.z(), speed = std::abs(inflow.velocity.z());
   const double time = 2 * height / (std::sqrt(speed * speed + 2 * g * height) + speed);
   return held / time;
 }
@@ -122,7 +139,7 @@ std::vector<SetupFinding> inflow_findings(const Scene& scene, const Tooling& too
                        " lies inside a tool or leaves no space for a grain between tools, so no powder can "
                        "enter; move it");
     if (!inflow->rate) continue;
-    const double most = largest_rate(scene, *inflow, room);
+    const double most = largest_rate(scene, *inflow, room, gravity_during(scene, states, state));
     if (*inflow->rate <= most) continue;
     char text[300];
     std::snprintf(

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/simulation/settings.h"
 #include "process/scene/placed_grains.h"
 #include "process/setup/pour_fit.h"
 

@@ -4,9 +4,13 @@
 #include <filesystem>
 #include <vector>
 
-#include "engine/simulation/simulation.h"
+#include "engine/powder/new_grain.h"
 #include "process/scene/scene.h"
 #include "process/tooling/tooling.h"
+
+namespace diefill::engine {
+struct SimulationSettings;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/simulation/simulation.h"
+#include "engine/powder/new_grain.h"
 #include "process/tooling/tooling.h"
 
 namespace diefill::process {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/powder/rigid_motion.h"
+#include "engine/simulation/settings.h"
 #include "geometry/solid/solid_query.h"
 #include "process/results/storage/result_file.h"
 

@@ -4,9 +4,13 @@
 
 #include <vector>
 
-#include "engine/simulation/simulation.h"
+#include "engine/powder/new_grain.h"
 #include "process/scene/saved_state.h"
 #include "process/tooling/tooling.h"
+
+namespace diefill::engine {
+struct SimulationSettings;
+}  // namespace diefill::engine
 
 namespace diefill::process {
 

@@ -8,6 +8,7 @@
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
 #include "process/scene/powder_file.h"
+#include "process/tooling/half_model.h"
 #include "process/tooling/plan_view.h"
 #include "process/tooling/stages.h"
 #include "process/tooling/tool_paths.h"
@@ -91,10 +92,11 @@ void find_misplaced_punch(const Tooling& tooling, std::vector<SetupFinding>& fin
   }
 }
 
-/// m^3 of powder at rest, or infinity where a step lets in powder without limit.
-double bulk_of_powder(const Scene& scene, double solid_fraction, double density) {
+/// m^3 of powder at rest, or infinity where a step lets in powder without limit. In a half model [pour] is
+/// half of the powder, and the mass of an inflow is that of both halves.
+double bulk_of_powder(const Scene& scene, const Tooling& tooling, double solid_fraction, double density) {
   const Eigen::Vector3d size = scene.pour.upper - scene.pour.lower;
-  double bulk = size.x() * size.y() * scene.pour.fill_height;
+  double bulk = copies(tooling) * size.x() * size.y() * scene.pour.fill_height;
   for (const auto& step : scene.steps)
     if (const PowderInflow* inflow = step->inflow())
       bulk += inflow->mass.value_or(1e6) / (solid_fraction * density);
@@ -114,8 +116,8 @@ void find_little_powder(const Scene& scene, const Tooling& tooling, std::vector<
                   grains, kFewGrains, 1e3 * scene.powder.grain_diameter);
     findings.push_back({text, {}});
   }
-  const double bulk =
-      bulk_of_powder(scene, fraction, mean_of_poured(scene).mass / mean_of_poured(scene).solid_volume);
+  const auto grain = mean_of_poured(scene);
+  const double bulk = bulk_of_powder(scene, tooling, fraction, grain.mass / grain.solid_volume);
   if (!shoe_moves(scene) || bulk > kTooLittle * cavity) return;
   std::snprintf(
       text, sizeof text,

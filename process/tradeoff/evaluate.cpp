@@ -96,21 +96,21 @@ void set_errors(const Tradeoff& tradeoff, TradeoffPoint& point) {
   if (!judged) point.error = kNone;
 }
 
-std::string percent(double share) {
+std::string percent_with_tenths_below_ten(double share) {
   return results::formatted(share < 0.1 ? "%.1f %%" : "%.0f %%", 100 * share);
 }
 
 /// How much less a setting costs than the reference.
 std::string saving(double cost, double reference) {
   const double factor = reference / cost;
-  if (factor < 1.2) return percent(1 - cost / reference) + " cheaper";
+  if (factor < 1.2) return percent_with_tenths_below_ten(1 - cost / reference) + " cheaper";
   return results::formatted(factor < 10 ? "%.1f times cheaper" : "%.0f times cheaper", factor);
 }
 
 /// What a setting's error is within, as text.
 std::string limit_text(const TradeoffValue& value, double tolerance) {
-  return value.floor > tolerance ? "the " + percent(value.floor) + " scatter over seeds"
-                                 : "the tolerance of " + percent(tolerance);
+  return value.floor > tolerance ? "the " + percent_with_tenths_below_ten(value.floor) + " scatter over seeds"
+                                 : "the tolerance of " + percent_with_tenths_below_ten(tolerance);
 }
 
 std::string advice_for(const Tradeoff& tradeoff, const TradeoffPoint& chosen,
@@ -119,7 +119,8 @@ std::string advice_for(const Tradeoff& tradeoff, const TradeoffPoint& chosen,
     return "Take \"" + chosen.name +
            "\": no cheaper setting stays within tolerance and scatter for every quantity.";
   std::string words = "Take \"" + chosen.name + "\": " + saving(chosen.core_seconds, reference.core_seconds) +
-                      " than \"" + reference.name + "\", error " + percent(chosen.error);
+                      " than \"" + reference.name + "\", error " +
+                      percent_with_tenths_below_ten(chosen.error);
   for (std::size_t q = 0; q < chosen.values.size(); ++q)
     if (tradeoff.quantities[q].key == chosen.worst)
       words += " (" + tradeoff.quantities[q].name + "), within " +
@@ -152,8 +153,9 @@ std::string what_is_missing(const Tradeoff& tradeoff) {
     floor = quantity.floor;
     worst = quantity.name;
   }
-  std::string words = "No setting is recommended: the scatter over seeds is up to " + percent(floor) + " (" +
-                      worst + "), and settings that differ by less than " + percent(widest) +
+  std::string words = "No setting is recommended: the scatter over seeds is up to " +
+                      percent_with_tenths_below_ten(floor) + " (" + worst +
+                      "), and settings that differ by less than " + percent_with_tenths_below_ten(widest) +
                       " cannot be distinguished; ";
   return words + (enough
                       ? "about " + std::to_string(seeds) + " seeds of each would suffice: --seeds " +

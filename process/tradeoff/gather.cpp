@@ -9,16 +9,13 @@
 #include "process/compare/statistics.h"
 #include "process/results/storage/result_file.h"
 #include "process/results/studies/job_cost.h"
+#include "process/results/studies/mean.h"
 #include "process/tradeoff/quantities.h"
 
 namespace diefill::process {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-double mean_of(const std::vector<double>& values) {
-  return sample_of(values).mean;
-}
 
 results::TradeoffValue value_over(const std::vector<double>& runs) {
   const Sample sample = sample_of(runs);
@@ -71,9 +68,9 @@ results::TradeoffPoint point_of(const TriedSetting& setting, const Runs& runs) {
   point.label = setting.label;
   point.changes = setting.changes;
   point.seeds = runs.core_seconds.size();
-  point.core_seconds = mean_of(runs.core_seconds);
-  point.core_seconds_per_second = mean_of(runs.core_seconds_per_second);
-  point.wall_seconds = mean_of(runs.wall_seconds);
+  point.core_seconds = results::mean_of_finite(runs.core_seconds);
+  point.core_seconds_per_second = results::mean_of_finite(runs.core_seconds_per_second);
+  point.wall_seconds = results::mean_of_finite(runs.wall_seconds);
   point.peak_memory_bytes =
       runs.peak_memory.empty() ? kNone : *std::max_element(runs.peak_memory.begin(), runs.peak_memory.end());
   for (const auto& values : runs.values) point.values.push_back(value_over(values));
@@ -154,10 +151,7 @@ std::vector<double> correlations(const std::vector<results::Field2D>& runs,
 
 std::vector<results::Job> jobs_of(const TriedSetting& setting, int seeds) {
   std::vector<results::Job> jobs;
-  for (int k = 0; setting.refused.empty() && k < seeds; ++k) {
-    const std::uint64_t seed = setting.variant.scene.seed + static_cast<std::uint64_t>(k);
-    jobs.push_back({setting.name, seed, setting.variant.folder + "/seed-" + std::to_string(seed)});
-  }
+  for (int k = 0; setting.refused.empty() && k < seeds; ++k) jobs.push_back(job_of(setting.variant, k));
   return jobs;
 }
 

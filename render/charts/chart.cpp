@@ -81,13 +81,14 @@ Interval widened(const Interval& range, const Interval& held, double share, bool
 }
 
 /// The range of an axis over what is drawn along it. Marks keep a twentieth of the axis free, so that none
-/// lies on the frame. `beyond_lines`: of what lines span, for which the round number at the end of the axis
-/// is chosen. Limits that are given stay.
+/// lies on the frame. `beyond_lines`: of what all span, free beyond lines where the round number at the end
+/// of the axis is chosen. Limits that are given stay.
 Interval range_over(const ChartAxis& axis, const Coordinates& drawn, double beyond_lines, bool from_zero) {
   constexpr double kBeyondMarks = 0.05;
   const Interval lines = extent_of(drawn.lines, axis.logarithmic),
                  marks = extent_of(drawn.marks, axis.logarithmic),
-                 wide_lines = widened(lines, lines, beyond_lines, axis.logarithmic);
+                 all{std::min(lines.lower, marks.lower), std::max(lines.upper, marks.upper)},
+                 wide_lines = widened(all, lines, beyond_lines, axis.logarithmic);
   const Interval rounded =
       axis_range(axis, {wide_lines.lower, wide_lines.upper, marks.lower, marks.upper}, from_zero);
   const Interval range = widened(rounded, marks, kBeyondMarks, axis.logarithmic);
@@ -97,14 +98,15 @@ Interval range_over(const ChartAxis& axis, const Coordinates& drawn, double beyo
 
 Axis make_axis(const ChartAxis& wanted, const Interval& range, int most_ticks) {
   Axis axis{QString::fromStdString(wanted.label), range, {}, wanted.logarithmic};
-  axis.ticks = wanted.logarithmic ? decade_ticks(range)
-               : wanted.degrees   ? angle_ticks(range, most_ticks)
-                                  : nice_ticks(range, most_ticks);
+  axis.label.replace(QStringLiteral("[deg]"), QStringLiteral("[°]"));
+  axis.ticks = wanted.logarithmic    ? decade_ticks(range)
+               : wanted.in_degrees() ? angle_ticks(range, most_ticks)
+                                     : nice_ticks(range, most_ticks);
   return axis;
 }
 
 // Limits for values that are all there is: a single value gets room on both sides.
-Interval linear_range(double lowest, double highest, bool from_zero) {
+Interval linear_range(double lowest, double highest, bool from_zero, bool degrees) {
   if (from_zero || (lowest > 0 && lowest < 0.35 * highest)) lowest = std::min(lowest, 0.0);
   if (from_zero || (highest < 0 && highest > 0.35 * lowest)) highest = std::max(highest, 0.0);
   const double magnitude = std::max(std::abs(lowest), std::abs(highest));
@@ -113,10 +115,14 @@ Interval linear_range(double lowest, double highest, bool from_zero) {
     lowest -= room;
     highest += room;
   }
-  return widen_to_nice({lowest, highest}, kYTicks);
+  return degrees ? widen_to_angles({lowest, highest}, kYTicks) : widen_to_nice({lowest, highest}, kYTicks);
 }
 
 }  // namespace
+
+bool ChartAxis::in_degrees() const {
+  return label.ends_with("[°]") || label.ends_with("[deg]");
+}
 
 Interval axis_range(const ChartAxis& axis, const std::vector<double>& values, bool from_zero) {
   const auto [lowest, highest] = extent_of(values, axis.logarithmic);
@@ -124,7 +130,7 @@ Interval axis_range(const ChartAxis& axis, const std::vector<double>& values, bo
   if (lowest <= highest) {
     range = axis.logarithmic ? Interval{std::pow(10.0, std::floor(std::log10(lowest) + 1e-9)),
                                         std::pow(10.0, std::ceil(std::log10(highest) - 1e-9))}
-                             : linear_range(lowest, highest, from_zero);
+                             : linear_range(lowest, highest, from_zero, axis.in_degrees());
     if (axis.logarithmic && range.upper <= range.lower) range.upper = 10 * range.lower;
   }
   if (!std::isnan(axis.lower)) range.lower = axis.lower;
@@ -180,6 +186,12 @@ ChartLayout lay_out(const Chart& chart) {
   return layout;
 }
 
+bool has_points(const Chart& chart) {
+  return std::ranges::any_of(chart.curves, [](const Curve& curve) {
+    return std::ranges::any_of(curve.y, [](double value) { return std::isfinite(value); });
+  });
+}
+
 void paint_chart(QPainter& painter, const Chart& chart, const ChartLayout& layout) {
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   layout.heading.draw(painter, kMargin, kMargin - 8);
@@ -187,6 +199,9 @@ void paint_chart(QPainter& painter, const Chart& chart, const ChartLayout& layou
   draw_grid(painter, layout.plot);
   for (std::size_t k = 0; k < chart.curves.size(); ++k) draw_curve(painter, layout.plot, chart.curves, k);
   draw_axes(painter, layout.plot, {kWidth, layout.height});
+  if (!has_points(chart))
+    draw_centred(painter, layout.plot.rect.center(), QStringLiteral("no values"), kLabelPixels,
+                 layout.plot.rect.width());
   std::vector<AxisMarker> markers;
   for (const auto& marker : chart.markers) markers.push_back({marker.x, QString::fromStdString(marker.text)});
   draw_markers(painter, layout.plot, markers);

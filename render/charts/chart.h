@@ -11,11 +11,13 @@ namespace diefill::render {
 
 /// How a curve is drawn.
 enum class CurveStyle {
-  kLine,            ///< straight lines from point to point; NaN leaves a gap
+  kLine,            ///< straight lines from point to point; NaN leaves a gap, a point between gaps is a dot
   kMarkers,         ///< points only
   kLineAndMarkers,  ///< both
   kBars,            ///< histogram bars from zero, centred on x, as wide as the spacing of x
-  kReference        ///< no data, but what data are compared with: grey and broken, a level dash at each point
+  /// No data, but what data are compared with: grey and broken, a level dash at each point of a row; two
+  /// points are the ends of a line.
+  kReference
 };
 
 /// One curve. Curves of data are told apart by colour, dashes and marker, so that they also read in grey
@@ -35,7 +37,8 @@ struct ChartAxis {
   double lower = std::numeric_limits<double>::quiet_NaN();
   double upper = std::numeric_limits<double>::quiet_NaN();
   bool logarithmic = false;
-  bool degrees = false;  ///< ticks at 15, 30, 45 ... degrees
+  /// Whether the label ends with [°] or [deg]: ticks then stand at 15, 30, 45 ... degrees.
+  bool in_degrees() const;
 };
 
 /// A remark pinned to an x value, above the chart.

@@ -97,6 +97,7 @@ void clip_to_frame(QPainter& painter, const PlotArea& area) {
 }
 
 void draw_level_dashes(QPainter& painter, const PlotArea& area, const Curve& curve, const Look& look) {
+  if (curve.x.size() == 2 && curve.y[0] != curve.y[1]) return;  // a sloping line has no levels
   for (std::size_t k = 0; k < curve.x.size(); ++k) {
     const QPointF point = area.pixel(curve.x[k], curve.y[k]);
     if (is_drawable(point)) draw_level_dash(painter, point, look);
@@ -113,24 +114,26 @@ void draw_marks(QPainter& painter, const PlotArea& area, const Curve& curve, con
   }
 }
 
+// Straight lines from point to point. A point between two gaps, which no line reaches, is a dot.
 void draw_line(QPainter& painter, const PlotArea& area, const Curve& curve, const Look& look) {
   QPainterPath path;
-  bool in_piece = false;
+  std::vector<QPolygonF> pieces(1);
   for (std::size_t k = 0; k < curve.x.size(); ++k) {
     const QPointF point = area.pixel(curve.x[k], curve.y[k]);
-    if (!is_drawable(point)) {
-      in_piece = false;
-      continue;
-    }
-    if (in_piece)
-      path.lineTo(point);
+    if (is_drawable(point))
+      pieces.back() << point;
     else
-      path.moveTo(point);
-    in_piece = true;
+      pieces.emplace_back();
   }
+  for (const QPolygonF& piece : pieces)
+    if (piece.size() > 1) path.addPolygon(piece);
   painter.setPen(curve_pen(look));
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(path);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(look.colour);
+  for (const QPolygonF& piece : pieces)
+    if (piece.size() == 1) painter.drawEllipse(piece.front(), look.width, look.width);
 }
 
 void draw_error_bars(QPainter& painter, const PlotArea& area, const Curve& curve, const Look& look) {

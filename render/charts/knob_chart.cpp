@@ -32,7 +32,7 @@ std::vector<Curve> deviations(const Tradeoff& tradeoff, const KnobRow& knob) {
       // Side by side, so that error bars do not cover one another.
       curve.x.push_back(static_cast<double>(k) + 0.03 * static_cast<double>(curves.size()));
       curve.y.push_back(100 * (value.mean - base.values[q].mean) / scale);
-      curve.y_error.push_back(std::isfinite(value.scatter) ? 100 * value.scatter / scale : 0);
+      curve.y_error.push_back(100 * value.scatter / scale);  // NaN, no bar, where it is not known
     }
     curves.push_back(std::move(curve));
   }
@@ -65,8 +65,9 @@ Axis deviation_axis(const std::vector<Curve>& curves) {
   for (const Curve& curve : curves)
     for (std::size_t k = 0; k < curve.y.size(); ++k) {
       if (!std::isfinite(curve.y[k])) continue;
-      range.lower = std::min(range.lower, curve.y[k] - curve.y_error[k]);
-      range.upper = std::max(range.upper, curve.y[k] + curve.y_error[k]);
+      const double error = std::isfinite(curve.y_error[k]) ? curve.y_error[k] : 0;
+      range.lower = std::min(range.lower, curve.y[k] - error);
+      range.upper = std::max(range.upper, curve.y[k] + error);
     }
   return number_axis(QStringLiteral("Deviation from base [%]"), range, 8);
 }

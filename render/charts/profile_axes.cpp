@@ -16,7 +16,6 @@ void set_profile_axes(Chart& chart, const results::Profile& profile) {
   if (profile.x_name != "azimuth") return;
   chart.x.lower = 0;
   chart.x.upper = 360;
-  chart.x.degrees = true;
   for (const auto& marker : shoe_markers()) chart.markers.push_back({marker.x, marker.text.toStdString()});
 }
 

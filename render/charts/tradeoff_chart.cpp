@@ -1,15 +1,14 @@
 #include "render/charts/tradeoff_chart.h"
 
-#include <QPainterPath>
+#include <QFontMetricsF>
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numbers>
 #include <stdexcept>
 
+#include "render/charts/tradeoff_marks.h"
 #include "render/style/label_placement.h"
 #include "render/style/picture_file.h"
-#include "render/style/star.h"
 #include "render/style/text.h"
 
 namespace diefill::render {
@@ -19,10 +18,6 @@ using results::Tradeoff;
 using results::TradeoffPoint;
 
 constexpr double kWidth = 1600, kHeight = 1060, kMargin = 36, kRightMargin = 64;
-constexpr double kLegendRow = 46;
-constexpr double kRadius = 11, kStarRadius = 24;
-const QColor kFloorColour(232, 232, 226), kPoint(120, 130, 145), kFront(0, 114, 178), kChosen(213, 94, 0),
-    kFailed(90, 90, 90);
 
 struct Drawn {
   std::vector<std::size_t> points;
@@ -74,98 +69,10 @@ Axis logarithmic_axis(const QString& label, const Interval& range) {
   return {label, range, decade_ticks(range), true};
 }
 
-/// Some runs of the setting are finished and some have failed.
-bool failed_with_a_seed(const TradeoffPoint& point) {
-  return point.seeds > 0 && !point.reason.empty();
-}
-
-void draw_mark(QPainter& painter, const QPointF& at, const TradeoffPoint& point) {
-  painter.setPen(QPen(Qt::white, 1.5));
-  if (point.recommended) {
-    painter.setBrush(kChosen);
-    painter.drawPolygon(star_outline(at, kStarRadius));
-  } else if (!point.reason.empty()) {
-    constexpr double kArm = 0.85 * kRadius;
-    painter.setPen(QPen(kFailed, 5, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLine(at - QPointF(kArm, kArm), at + QPointF(kArm, kArm));
-    painter.drawLine(at - QPointF(kArm, -kArm), at + QPointF(kArm, -kArm));
-  } else if (point.beyond.empty()) {
-    painter.setBrush(point.pareto ? kFront : kPoint);
-    painter.drawEllipse(at, kRadius, kRadius);
-  } else {
-    constexpr double kRing = 5;
-    painter.setPen(QPen(point.pareto ? kFront : kPoint, kRing));
-    painter.setBrush(Qt::white);
-    painter.drawEllipse(at, kRadius - 0.5 * kRing, kRadius - 0.5 * kRing);
-  }
-  if (!point.reference) return;
-  painter.setPen(QPen(Qt::black, 3));
-  painter.setBrush(Qt::NoBrush);
-  const double r = point.recommended ? kStarRadius + 4 : kRadius + 6;
-  painter.drawEllipse(at, r, r);
-}
-
-/// What a legend explains, and its sample.
-struct LegendEntry {
-  QString text;
-  std::function<void(QPainter&, const QPointF&)> sample;
-};
-
-/// A mark as points with these properties have it.
-LegendEntry mark_entry(const QString& text, const TradeoffPoint& point) {
-  return {text, [point](QPainter& painter, const QPointF& at) { draw_mark(painter, at, point); }};
-}
-
-std::vector<LegendEntry> legend_of(const Tradeoff& tradeoff) {
-  TradeoffPoint chosen, reference, front, off, failed;
-  chosen.recommended = reference.reference = front.pareto = true;
-  off.beyond = {"some quantity"};
-  failed.reason = "some reason";
-  const auto any = [&](const auto& is) { return std::ranges::any_of(tradeoff.points, is); };
-  std::vector<LegendEntry> entries;
-  if (any([](const TradeoffPoint& point) { return point.recommended; }))
-    entries.push_back(mark_entry(QStringLiteral("recommended"), chosen));
-  const std::vector<LegendEntry> always = {
-      {QStringLiteral("Pareto-optimal"),
-       [front](QPainter& painter, const QPointF& at) {
-         painter.setPen(QPen(kFront, 3));
-         painter.drawLine(at - QPointF(26, 0), at + QPointF(26, 0));
-         draw_mark(painter, at, front);
-       }},
-      mark_entry(QStringLiteral("reference"), reference),
-  };
-  entries.insert(entries.end(), always.begin(), always.end());
-  if (any([](const TradeoffPoint& point) { return !point.beyond.empty(); }))
-    entries.push_back(mark_entry(QStringLiteral("error above limit"), off));
-  if (any([](const TradeoffPoint& point) { return failed_with_a_seed(point); }))
-    entries.push_back(mark_entry(QStringLiteral("failed with a seed"), failed));
-  if (tradeoff.floor > 0)
-    entries.push_back({QStringLiteral("scatter over seeds"), [](QPainter& painter, const QPointF& at) {
-                         painter.setPen(Qt::NoPen);
-                         painter.setBrush(kFloorColour);
-                         painter.drawRect(QRectF(at.x() - 26, at.y() - 14, 52, 28));
-                       }});
-  return entries;
-}
-
-void draw_legend_row(QPainter& painter, double left, double middle, const Tradeoff& tradeoff) {
-  constexpr double kSample = 56, kGap = 20;
-  const QFont font = text_font(kNotePixels);
-  for (const LegendEntry& entry : legend_of(tradeoff)) {
-    entry.sample(painter, {left + 0.5 * kSample, middle});
-    painter.setFont(font);
-    painter.setPen(Qt::black);
-    const double width = text_width(entry.text, font) + 4;
-    painter.drawText(QRectF(left + kSample + 8, middle - 20, width, 40), Qt::AlignLeft | Qt::AlignVCenter,
-                     entry.text);
-    left += kSample + 8 + width + kGap;
-  }
-}
-
 void draw_floor(QPainter& painter, const PlotArea& plot, double floor) {
   if (!(floor > 0)) return;
   const double top = std::max(plot.rect.top(), plot.pixel(plot.x.range.lower, floor).y());
-  painter.fillRect(QRectF(QPointF(plot.rect.left(), top), plot.rect.bottomRight()), kFloorColour);
+  painter.fillRect(QRectF(QPointF(plot.rect.left(), top), plot.rect.bottomRight()), floor_colour());
 }
 
 /// Places of the points on the front, cheapest first.
@@ -178,7 +85,7 @@ std::vector<QPointF> front_of(const Tradeoff& tradeoff, const TradeoffPicture& p
 }
 
 void draw_front(QPainter& painter, const std::vector<QPointF>& front) {
-  painter.setPen(QPen(kFront, 3));
+  painter.setPen(QPen(front_colour(), 3));
   for (std::size_t k = 1; k < front.size(); ++k) painter.drawLine(front[k - 1], front[k]);
 }
 
@@ -205,10 +112,6 @@ void draw_leader(QPainter& painter, const QRectF& label, const LabelledPoint& po
   painter.drawLine(leader);
 }
 
-double mark_radius(const TradeoffPoint& point) {
-  return point.recommended ? kStarRadius : kRadius + (point.reference ? 7 : 0);
-}
-
 /// Points, numbers into `picture.points`, whose marks lie on top of each other: they share a label. Cheapest
 /// first.
 std::vector<std::vector<std::size_t>> heaps_of(const TradeoffPicture& picture) {
@@ -216,7 +119,7 @@ std::vector<std::vector<std::size_t>> heaps_of(const TradeoffPicture& picture) {
   for (std::size_t k = 0; k < picture.places.size(); ++k) {
     const auto near = [&](std::size_t other) {
       const QPointF way = picture.places[k] - picture.places[other];
-      return std::hypot(way.x(), way.y()) < 2 * kRadius;
+      return std::hypot(way.x(), way.y()) < 2 * kMarkRadius;
     };
     const auto heap =
         std::ranges::find_if(heaps, [&](const auto& one) { return std::ranges::any_of(one, near); });
@@ -232,14 +135,24 @@ std::vector<std::vector<std::size_t>> heaps_of(const TradeoffPicture& picture) {
 
 constexpr double kLine = 1.2 * kNotePixels;
 
+QFont label_font(const TradeoffPoint& point) {
+  return text_font(kNotePixels, point.recommended);
+}
+
+/// The label, shortened in the middle where it would take more than a third of the picture: names of variants
+/// may be long, and differ at their beginnings or ends.
+QString shown_label(const TradeoffPoint& point) {
+  return QFontMetricsF(label_font(point))
+      .elidedText(QString::fromStdString(point.label), Qt::ElideMiddle, kWidth / 3);
+}
+
 /// Room for the lines of a heap's label, at the mark that stands out most.
 LabelledPoint labelled(const Tradeoff& tradeoff, const TradeoffPicture& picture,
                        const std::vector<std::size_t>& heap) {
   LabelledPoint made{{}, {0, kLine * static_cast<double>(heap.size())}, 0};
   for (const std::size_t k : heap) {
     const TradeoffPoint& point = tradeoff.points[picture.points[k]];
-    const double width =
-        text_width(QString::fromStdString(point.label), text_font(kNotePixels, point.recommended)) + 2;
+    const double width = text_width(shown_label(point), label_font(point)) + 2;
     made.label.setWidth(std::max(made.label.width(), width));
     if (mark_radius(point) <= made.radius) continue;
     made.radius = mark_radius(point);
@@ -253,10 +166,10 @@ void draw_lines(QPainter& painter, const Tradeoff& tradeoff, const TradeoffPictu
                 const std::vector<std::size_t>& heap, const QRectF& label) {
   for (std::size_t n = 0; n < heap.size(); ++n) {
     const TradeoffPoint& point = tradeoff.points[picture.points[heap[n]]];
-    painter.setFont(text_font(kNotePixels, point.recommended));
-    painter.setPen(point.recommended ? kChosen : QColor(Qt::black));
+    painter.setFont(label_font(point));
+    painter.setPen(point.recommended ? chosen_colour() : QColor(Qt::black));
     const QRectF line(label.left(), label.top() + kLine * static_cast<double>(n), label.width(), kLine);
-    painter.drawText(line.adjusted(-2, -2, 2, 2), Qt::AlignCenter, QString::fromStdString(point.label));
+    painter.drawText(line.adjusted(-2, -2, 2, 2), Qt::AlignCenter, shown_label(point));
   }
 }
 
@@ -282,13 +195,16 @@ QString note_of(const Tradeoff& tradeoff, bool some_below) {
     target = target || quantity.is_target;
   }
   if (target) names += QStringLiteral(" (published values)");
-  QString missing;
+  constexpr int kMostNamed = 2;
+  QStringList missing;
   for (const TradeoffPoint& point : tradeoff.points) {
-    if (point.reference) names += QStringLiteral("; against \"%1\"").arg(QString::fromStdString(point.label));
-    if (point.state == "failed" || failed_with_a_seed(point))
-      missing += (missing.isEmpty() ? "" : ", ") + QString::fromStdString(point.label);
+    if (point.reference) names += QStringLiteral("; against \"%1\"").arg(shown_label(point));
+    if (point.state == "failed" || failed_with_a_seed(point)) missing << shown_label(point);
   }
-  if (!missing.isEmpty()) names += QStringLiteral("; failed: ") + missing;
+  if (missing.size() > kMostNamed)
+    names += QStringLiteral("; failed: %1 settings").arg(missing.size());
+  else if (!missing.isEmpty())
+    names += QStringLiteral("; failed: ") + missing.join(QStringLiteral(", "));
   if (some_below) names += QStringLiteral("; lower edge: that or less");
   return QStringLiteral("Largest error of: ") + names;
 }
@@ -304,13 +220,16 @@ TradeoffPicture compose_tradeoff(const Tradeoff& tradeoff) {
   plot.y = logarithmic_axis(QStringLiteral("Largest error [%]"), error_range(drawn, floor));
   const Heading heading(tradeoff.title, tradeoff.advice, kWidth - 2 * kMargin);
   const double left = kMargin + left_margin(plot.y), legend = kMargin + heading.height() + 8;
-  plot.rect = QRectF(QPointF(std::round(left), std::round(legend + kLegendRow + 10)),
-                     QPointF(kWidth - kRightMargin, std::round(kHeight - kMargin - bottom_margin() - 44)));
+  plot.rect = QRectF(
+      QPointF(std::round(left),
+              std::round(legend + draw_mark_legend(nullptr, kMargin, legend, kWidth - 2 * kMargin, tradeoff) +
+                         10)),
+      QPointF(kWidth - kRightMargin, std::round(kHeight - kMargin - bottom_margin() - 44)));
 
   QPainter painter(&picture.image);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   heading.draw(painter, kMargin, kMargin - 8);
-  draw_legend_row(painter, kMargin, legend + 0.5 * kLegendRow, tradeoff);
+  draw_mark_legend(&painter, kMargin, legend, kWidth - 2 * kMargin, tradeoff);
   draw_floor(painter, plot, floor);
   draw_grid(painter, plot);
   draw_axes(painter, plot, {kWidth, kHeight});

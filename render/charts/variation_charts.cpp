@@ -1,11 +1,28 @@
 #include "render/charts/variation_charts.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "render/charts/profile_axes.h"
 #include "render/style/text.h"
 
 namespace diefill::render {
+namespace {
+
+/// Left edge of the first bar where that lies below zero but no value does: whole numbers, which stand in the
+/// middle of their bars. NaN otherwise.
+double lower_limit(const std::vector<Named<results::Histogram>>& histograms) {
+  double least = std::numeric_limits<double>::infinity(), edge = least;
+  for (const auto& [name, histogram] : histograms) {
+    if (histogram.middle.size() < 2 || histogram.middle.front() >= least) continue;
+    least = histogram.middle.front();
+    edge = least - 0.5 * (histogram.middle[1] - least);
+  }
+  return least >= 0 && edge < 0 ? edge : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
 
 Chart spread_chart(const std::vector<Named<results::SpreadProfile>>& profiles, const std::string& title,
                    const std::string& subtitle, const std::string& across) {
@@ -18,7 +35,7 @@ Chart spread_chart(const std::vector<Named<results::SpreadProfile>>& profiles, c
     chart.curves.push_back(
         {name, profile.mean.x, profile.mean.y, profile_style(profile.mean), {}, profile.spread});
   const std::string over = profiles.front().data.mean.x_name == "azimuth" ? "height" : across;
-  chart.note = "Mean over " + over + "; band: +- one standard deviation over " + over;
+  chart.note = "Mean over " + over + "; band: ± one standard deviation over " + over;
   return chart;
 }
 
@@ -44,6 +61,7 @@ Chart histogram_chart(const std::vector<Named<results::Histogram>>& histograms, 
     for (double& share : curve.y) share *= 100;
     chart.curves.push_back(std::move(curve));
   }
+  chart.x.lower = lower_limit(histograms);
   return chart;
 }
 
@@ -59,7 +77,7 @@ Chart profile_chart(const std::vector<Named<results::Profile>>& profiles, const 
   return chart;
 }
 
-Chart fill_level_chart(const std::vector<Named<results::Profile>>& levels, double depth,
+Chart fill_level_chart(const std::vector<Named<results::Profile>>& levels, const std::vector<double>& depths,
                        const std::string& subtitle) {
   Chart chart = profile_chart(levels, "Fill level", subtitle);
   if (levels.empty() || levels.front().data.x.empty()) return chart;
@@ -67,7 +85,14 @@ Chart fill_level_chart(const std::vector<Named<results::Profile>>& levels, doubl
   const std::vector<double> ends = std::isnan(chart.x.lower)
                                        ? std::vector<double>{places.front(), places.back()}
                                        : std::vector<double>{chart.x.lower, chart.x.upper};
-  chart.curves.push_back({"fill plane", ends, {depth, depth}, CurveStyle::kReference, {}});
+  const auto same = [&](double depth) { return std::abs(depth - depths.front()) < 1e-6 * depths.front(); };
+  const bool one = std::ranges::all_of(depths, same);
+  for (std::size_t k = 0; k < (one ? 1 : levels.size()); ++k)
+    chart.curves.push_back({one ? "fill plane" : "fill plane of " + levels[k].name,
+                            ends,
+                            {depths[k], depths[k]},
+                            CurveStyle::kReference,
+                            {}});
   return chart;
 }
 

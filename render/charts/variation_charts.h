@@ -27,8 +27,9 @@ Chart histogram_chart(const std::vector<Named<results::Histogram>>& histograms, 
 Chart profile_chart(const std::vector<Named<results::Profile>>& profiles, const std::string& title,
                     const std::string& subtitle);
 
-/// Fill levels [mm] above the cavity's floor, with the fill plane `depth` above it as a reference.
-Chart fill_level_chart(const std::vector<Named<results::Profile>>& levels, double depth,
+/// Fill levels [mm] above the cavity's floor, with the fill plane as a reference; `depths` has its height
+/// above that floor [mm] for each level. Cavities of different depths each have their own, with its name.
+Chart fill_level_chart(const std::vector<Named<results::Profile>>& levels, const std::vector<double>& depths,
                        const std::string& subtitle);
 
 }  // namespace diefill::render

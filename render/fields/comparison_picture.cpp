@@ -29,6 +29,16 @@ struct Grid {
     return {std::round(left + static_cast<double>(k % columns) * step_x),
             std::round(top + static_cast<double>(k / columns) * step_y), width, height};
   }
+  /// Pixels from the left end of a panel to the next one, or to the colour scale.
+  double room_for_name(std::size_t k) const {
+    return step_x - (k % columns + 1 < columns ? kGap : left - kMargin);
+  }
+};
+
+/// What stands above a panel, and the height of its type in pixels.
+struct PanelName {
+  std::string text;
+  int pixels;
 };
 
 std::size_t columns_for(std::size_t fields) {
@@ -69,23 +79,32 @@ Grid lay_out(std::size_t fields, double heading, const PlotArea& axes, double ba
   return grid;
 }
 
-/// The name, shortened where there is no room, and how many seeds the field is the mean of.
-std::string name_above(const ComparedField& field, double width) {
-  const QString seeds = field.seeds == 0   ? QString()
-                        : field.seeds == 1 ? QStringLiteral(", one seed")
-                                           : QStringLiteral(", mean of %1 seeds").arg(field.seeds);
-  const QFont font = text_font(kSubtitlePixels, true);
-  const QString name = QFontMetricsF(font).elidedText(QString::fromStdString(field.name), Qt::ElideRight,
-                                                      width - text_width(seeds, font));
-  return (name + seeds).toStdString();
+/// What a panel says of seeds; nothing where all fields are means of as many, which the foot says.
+QString seeds_of(const ComparedField& field, const std::vector<ComparedField>& fields) {
+  const auto as_many = [&](const ComparedField& other) { return other.seeds == field.seeds; };
+  if (field.seeds == 0 || (fields.size() > 1 && std::ranges::all_of(fields, as_many))) return {};
+  return field.seeds == 1 ? QStringLiteral(", one seed")
+                          : QStringLiteral(", mean of %1 seeds").arg(field.seeds);
 }
 
-void draw_name(QPainter& painter, const QRectF& rect, const std::string& name) {
-  painter.setFont(text_font(kSubtitlePixels, true));
+/// The name and what is said of seeds, in smaller type where there is no room, and shortened in the middle
+/// where that is not enough: names of variants differ at their beginnings or ends.
+PanelName name_above(const QString& name, const QString& seeds, double width) {
+  constexpr int kLeastPixels = 20;
+  PanelName above{{}, kSubtitlePixels};
+  const auto font = [&above] { return text_font(above.pixels, true); };
+  while (above.pixels > kLeastPixels && text_width(name + seeds, font()) > width) --above.pixels;
+  const QString shown =
+      QFontMetricsF(font()).elidedText(name, Qt::ElideMiddle, width + 1 - text_width(seeds, font()));
+  above.text = (shown + seeds).toStdString();
+  return above;
+}
+
+void draw_name(QPainter& painter, const QRectF& rect, const PanelName& name) {
+  painter.setFont(text_font(name.pixels, true));
   painter.setPen(Qt::black);
-  const QString text = QString::fromStdString(name);
   painter.drawText(QRectF(rect.left(), rect.top() - kNameBand, rect.width(), kNameBand - 4),
-                   Qt::AlignLeft | Qt::AlignVCenter, text);
+                   Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, QString::fromStdString(name.text));
 }
 
 std::vector<double> all_values(const std::vector<ComparedField>& fields) {
@@ -117,12 +136,18 @@ PlacesShown paint_panel(QImage& image, const PlotArea& plot, const results::Fiel
 void draw_foot(QPainter& painter, double height, const std::vector<ComparedField>& fields,
                const PlacesShown& places, const ColourBar& bar) {
   const results::Field2D& field = fields.front().field;
-  const bool means = std::ranges::any_of(fields, [](const ComparedField& one) { return one.seeds != 1; });
+  const std::size_t seeds = fields.front().seeds;
+  const bool one_number =
+      std::ranges::all_of(fields, [&](const ComparedField& one) { return one.seeds == seeds; });
+  const QString means = !one_number || seeds == 0 ? QStringLiteral("Mean over seeds; ")
+                        : fields.size() == 1      ? QString()
+                        : seeds == 1              ? QStringLiteral("One seed each; ")
+                                                  : QStringLiteral("Mean of %1 seeds each; ").arg(seeds);
   const double top = height - kMargin - 26;
   painter.setFont(text_font(kNotePixels));
   painter.setPen(QColor(70, 70, 70));
-  QString note = (means ? QStringLiteral("Mean over seeds; ") : QString()) +
-                 QStringLiteral("Gaussian average, σ = %1 mm").arg(field.averaging_width * 1e3, 0, 'g', 3);
+  QString note =
+      means + QStringLiteral("Gaussian average, σ = %1 mm").arg(field.averaging_width * 1e3, 0, 'g', 3);
   if (has_azimuth(field)) note += QStringLiteral("; the shoe first arrives at 0° and leaves at 180°");
   if (!has_azimuth(field) && field.second_name == "y")
     note += QStringLiteral("; seen from above, mean over the height of the powder");
@@ -131,6 +156,12 @@ void draw_foot(QPainter& painter, double height, const std::vector<ComparedField
   const bool own_line = places.several();
   const double left = own_line ? kMargin : kWidth - kMargin - places.legend_width();
   places.draw_legend(painter, {left, top + 2 - (own_line ? kLegendLine : 0)}, bar);
+}
+
+void draw_bar_beside(QPainter& painter, const ColourBar& bar, const Grid& grid) {
+  const double height = std::min(grid.bottom() - grid.top, 900.0) - 2 * kBarPoint;
+  const double left = kWidth - kMargin - colour_bar_width(bar);
+  draw_colour_bar(painter, bar, {left, grid.top + kBarPoint, kBarWidth, height});
 }
 
 }  // namespace
@@ -149,10 +180,13 @@ ComparisonPicture compose_comparison(const std::vector<ComparedField>& fields, c
   const double height = grid.bottom() + bottom_margin() + kFoot + kLegendLine + kMargin;
   picture.image = white_canvas(static_cast<int>(kWidth), static_cast<int>(height));
   PlacesShown places;
+  std::vector<PanelName> names;
   for (std::size_t k = 0; k < fields.size(); ++k) {
     picture.plots.push_back(axes);
     picture.plots.back().rect = grid.rect(k);
-    picture.names.push_back(name_above(fields[k], picture.plots.back().rect.width()));
+    names.push_back(name_above(QString::fromStdString(fields[k].name), seeds_of(fields[k], fields),
+                               grid.room_for_name(k)));
+    picture.names.push_back(names.back().text);
     places.add(paint_panel(picture.image, picture.plots.back(), fields[k].field, picture.bar));
   }
   QPainter painter(&picture.image);
@@ -164,11 +198,9 @@ ComparisonPicture compose_comparison(const std::vector<ComparedField>& fields, c
     if (!lowest_in_column) plot.x.label.clear();
     if (!leftmost) plot.y.label.clear();
     draw_axes(painter, plot, picture.image.size());
-    draw_name(painter, plot.rect, picture.names[k]);
+    draw_name(painter, plot.rect, names[k]);
   }
-  const double bar_height = std::min(grid.bottom() - grid.top, 900.0) - 2 * kBarPoint;
-  const double bar_left = kWidth - kMargin - colour_bar_width(picture.bar);
-  draw_colour_bar(painter, picture.bar, {bar_left, grid.top + kBarPoint, kBarWidth, bar_height});
+  draw_bar_beside(painter, picture.bar, grid);
   draw_foot(painter, height, fields, places, picture.bar);
   return picture;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "process/results/places_without_value.h"
+#include "process/results/studies/mean.h"
 #include "render/fields/arrow_painter.h"
 #include "render/fields/field_marks.h"
 #include "render/fields/field_sampler.h"
@@ -21,7 +22,7 @@ constexpr double kSectionSide = 1060;  // longest side of a section's data recta
 constexpr double kMinSide = 90;        // a thinner rectangle gives up equal scales
 constexpr double kMinBar = 420;
 constexpr double kMinCanvas = 1000;
-constexpr double kNoteHeight = 44;
+constexpr double kNoteHeight = 44, kNoteLine = 32;
 
 struct Layout {
   QSizeF canvas;
@@ -89,23 +90,12 @@ void draw_outlines(QPainter& painter, const PlotArea& plot, const std::vector<Ou
   painter.restore();
 }
 
-double mean_of(const std::vector<double>& values) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    sum += value;
-    ++count;
-  }
-  return count > 0 ? sum / static_cast<double>(count) : std::nan("");
-}
-
 ColourBar make_bar(const results::Field2D& field, const ColourRange& range, const FieldStyle& style) {
   const std::string name = style.scale_label.empty() ? field.quantity : style.scale_label;
   const QString label = axis_label(name, style.unit);
   ColourBar bar = style.diverging ? make_diverging_bar(label, field.value, range.upper)
                                   : make_colour_bar(label, field.value, {range.lower, range.upper});
-  if (style.mark_mean) bar.mark = mean_of(field.value);
+  if (style.mark_mean) bar.mark = results::mean_of_finite(field.value);
   return bar;
 }
 
@@ -123,18 +113,33 @@ QString note_text(const results::Field2D& field, const FieldStyle& style, const 
   return note;
 }
 
+// The note of the foot: in one line, or in two where small type is not enough.
+struct FootNote {
+  QString text;
+  double room = 0;  // pixels
+  int pixels = kNotePixels, lines = 1;
+};
+
+FootNote foot_note(const QString& text, const PlacesShown& places, double canvas_width) {
+  constexpr int kTwoLines = 20;  // height of the type
+  FootNote note{text, canvas_width - 2 * kMargin - (places.any() && !places.several() ? 220 : 0)};
+  note.pixels = fitting_pixels(text, kNotePixels, note.room);
+  if (text_width(text, text_font(note.pixels)) <= note.room) return note;
+  note.pixels = kTwoLines;
+  note.lines = 2;
+  return note;
+}
+
 // The foot: what was averaged and marked at the left; what places without value are at the right end of that
 // line, or in a line of their own above it.
-void draw_foot(QPainter& painter, const QSizeF& canvas, const QString& note, const PlacesShown& places,
+void draw_foot(QPainter& painter, const QSizeF& canvas, const FootNote& note, const PlacesShown& places,
                const ColourBar& bar) {
-  const double top = canvas.height() - kMargin - 30;
+  const double top = canvas.height() - kMargin - 30 - (note.lines - 1) * kNoteLine;
   const bool own_line = places.several();
-  const double room = canvas.width() - 2 * kMargin - (places.any() && !own_line ? 220 : 0);
-  QFont font = text_font(kNotePixels);
-  for (int pixels = kNotePixels; pixels > 16 && text_width(note, font) > room;) font = text_font(--pixels);
-  painter.setFont(font);
+  painter.setFont(text_font(note.pixels));
   painter.setPen(QColor(70, 70, 70));
-  painter.drawText(QRectF(kMargin, top, room, 32), Qt::AlignLeft | Qt::AlignVCenter, note);
+  painter.drawText(QRectF(kMargin, top, note.room, note.lines * kNoteLine),
+                   Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, note.text);
   if (!places.any()) return;
   const double left = own_line ? kMargin : canvas.width() - kMargin - places.legend_width();
   places.draw_legend(painter, {left, own_line ? top - kLegendLine + 6 : top + 2}, bar);
@@ -240,6 +245,13 @@ double value_at(const FieldSampler& sampler, const std::vector<ToolCrossings>& l
   return results::is_inside_tool(value) ? sampler.at_outside_tools(at.x(), at.y()) : value;
 }
 
+PlotArea labelled_axes(const results::Field2D& field, const QSizeF& size, const FieldStyle& style) {
+  PlotArea axes = field_axes(field, size);
+  if (!style.first_label.empty()) axes.x.label = axis_label(style.first_label, field.first_unit);
+  if (!style.second_label.empty()) axes.y.label = axis_label(style.second_label, field.second_unit);
+  return axes;
+}
+
 bool has_values(const results::Field2D& field) {
   return std::ranges::any_of(field.value, [](double value) { return std::isfinite(value); });
 }
@@ -247,9 +259,11 @@ bool has_values(const results::Field2D& field) {
 /// The colour bar; words in the field where there is nothing to be coloured.
 void draw_bar(QPainter& painter, const FieldPicture& picture, const PlacesShown& places) {
   if (!picture.bar_rect.isEmpty()) return draw_colour_bar(painter, picture.bar, picture.bar_rect);
-  draw_centred(painter, picture.plot.rect.center(),
-               places.several() ? QStringLiteral("no value") : QStringLiteral("no powder"), kLabelPixels,
-               picture.plot.rect.width());
+  const QString text = places.several() ? QStringLiteral("no value") : QStringLiteral("no powder");
+  QRectF plate(0, 0, text_width(text, text_font(kLabelPixels)) + 24, 1.5 * kLabelPixels);
+  plate.moveCenter(picture.plot.rect.center());
+  painter.fillRect(plate.intersected(picture.plot.rect), QColor(255, 255, 255, 225));
+  draw_centred(painter, picture.plot.rect.center(), text, kLabelPixels, picture.plot.rect.width());
 }
 
 }  // namespace
@@ -286,17 +300,19 @@ FieldPicture compose_field(const results::Field2D& field, const std::string& tit
   picture.bar = make_bar(field, range, style);
   const PlacesShown places = places_shown(field, style);
   picture.has_holes = places.any();
-  const double foot = kNoteHeight + (places.several() ? kLegendLine : 0);
 
   const double bar_width = colour_bar_width(picture.bar);
   bool equal_scales = false;
   const bool is_section = same_scales(field);
   const QSizeF size = is_section ? plot_size(field, equal_scales) : QSizeF(1200, 560);
-  picture.plot = field_axes(field, size);
+  picture.plot = labelled_axes(field, size, style);
   double width = kMapWidth;
   if (is_section)
     width = std::max({kMinCanvas, 2 * kMargin + places.legend_width(),
                       2 * kMargin + left_margin(picture.plot.y) + size.width() + kBarGap + bar_width});
+  const FootNote note =
+      foot_note(note_text(field, style, picture.bar, is_section && !equal_scales), places, width);
+  const double foot = kNoteHeight + (note.lines - 1) * kNoteLine + (places.several() ? kLegendLine : 0);
   const Heading heading(title, subtitle, width - 2 * kMargin);
   const double head = heading.height() + marks_legend_height(style);
   const Layout layout = is_section ? lay_out_section(head, picture.plot, bar_width, foot, equal_scales, width)
@@ -313,8 +329,7 @@ FieldPicture compose_field(const results::Field2D& field, const std::string& tit
   draw_on_field(painter, picture.plot, layout.canvas, field, style);
   if (has_values(field)) picture.bar_rect = layout.bar;
   draw_bar(painter, picture, places);
-  draw_foot(painter, layout.canvas, note_text(field, style, picture.bar, is_section && !equal_scales), places,
-            picture.bar);
+  draw_foot(painter, layout.canvas, note, places, picture.bar);
   return picture;
 }
 

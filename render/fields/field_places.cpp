@@ -6,6 +6,7 @@
 #include "process/results/formatted.h"
 #include "render/fields/field_sampler.h"
 #include "render/fields/tool_outline.h"
+#include "render/style/ticks.h"
 
 namespace diefill::render {
 namespace {
@@ -30,6 +31,15 @@ std::string number(double value) {
   return results::formatted("%.4g", std::abs(value) < 5e-7 ? 0.0 : value);
 }
 
+/// "along (−0.71, 0.71, 0.00)" of an axis that is none of x, y and z; empty otherwise.
+std::string oblique_label(const Eigen::Vector3d& axis) {
+  if (axis.cwiseAbs().maxCoeff() > 1 - 1e-9) return {};
+  std::string words;
+  for (const double part : axis)
+    words += (words.empty() ? "along (" : ", ") + tick_label(std::round(100 * part) / 100, 0.01);
+  return words + ")";
+}
+
 /// Outlines of the tools seen from above, at this share of the cavity's height.
 std::vector<Outline> outlines_at(const results::FillResult& result, double share) {
   results::SectionPlane plane;
@@ -45,6 +55,8 @@ void add_section_places(FieldStyle& style, const results::FillResult& result,
                         const results::SectionPlane& plane) {
   style.outlines = tool_outlines(result.tools, plane);
   style.tool_levels = {style.outlines};
+  style.first_label = oblique_label(plane.first_axis);
+  style.second_label = oblique_label(plane.second_axis);
   std::vector<results::CavityState> cavities = result.other_cavities;
   cavities.push_back(result.cavity);
   std::erase_if(cavities, [](const auto& cavity) { return !has_size(cavity); });

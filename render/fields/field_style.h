@@ -31,6 +31,9 @@ struct FieldStyle {
   bool mark_mean = false;   ///< an arrow at the scale and a remark give the mean of the nodes with powder
   std::string unit;         ///< of the values; empty: none
   std::string scale_label;  ///< of the colour scale; empty: the field's quantity
+  /// Names of the axes where the field's own do not say their directions, as of oblique sections; empty: its
+  /// own.
+  std::string first_label, second_label;
   std::vector<Outline> outlines;  ///< cavity and tools
   /// Outlines of the tools in one plane or several; a tool is where all of them have one.
   std::vector<std::vector<Outline>> tool_levels;

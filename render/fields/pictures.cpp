@@ -33,7 +33,17 @@ const std::string& title_of(const results::FillResult& result) {
 struct ProfileChart {
   const results::Profile* profile;
   std::string file;
+  double fill_plane = std::nan("");  ///< mm above the cavity's floor, of fill levels
 };
+
+/// mm; NaN where the results do not hold it.
+double depth_of(const results::FillResult& result, int cavity) {
+  const auto other = static_cast<std::size_t>(std::max(cavity, 2)) - 2;
+  if (cavity > 1 && other >= result.other_cavities.size()) return std::nan("");
+  const auto& chosen = cavity > 1 ? result.other_cavities[other] : result.cavity;
+  const double depth = 1e3 * (chosen.upper_corner.z() - chosen.lower_corner.z());
+  return depth > 0 ? depth : std::nan("");
+}
 
 bool is_ring(const results::FillResult& result, int cavity) {
   if (cavity < 2) return result.cavity.is_ring;
@@ -50,11 +60,12 @@ std::vector<ProfileChart> profile_charts(const results::FillResult& result) {
     const bool level = quantity == kFillLevel;
     if (!level && (is_ring(result, cavity) || profile.x_name != "height")) continue;
     const std::string suffix = cavity > 1 ? "_cavity_" + std::to_string(cavity) : "";
-    charts.push_back({&profile, (level ? "fill_level" : "height_profile") + suffix + ".png"});
+    charts.push_back({&profile, (level ? "fill_level" : "height_profile") + suffix + ".png",
+                      level ? depth_of(result, cavity) : std::nan("")});
   }
   if (charts.empty() && !result.profiles.empty()) {
     const std::string file = "height_profile.png";
-    charts.push_back({&result.profiles.front(), file});
+    charts.push_back({&result.profiles.front(), file, std::nan("")});
   }
   return charts;
 }
@@ -162,10 +173,13 @@ std::vector<std::filesystem::path> draw_all(const std::filesystem::path& directo
   }
   written.push_back(directory / "snapshot.png");
   draw_snapshot(written.back(), result, range);
-  for (const auto& [profile, file] : profile_charts(result)) {
+  const std::string subtitle = title_of(result) + ", " + subtitle_of(result);
+  for (const auto& [profile, file, fill_plane] : profile_charts(result)) {
     written.push_back(directory / file);
-    draw_profile(written.back(), *profile, profile_title(*profile),
-                 title_of(result) + ", " + subtitle_of(result));
+    if (std::isfinite(fill_plane))
+      draw_fill_level(written.back(), *profile, fill_plane, profile_title(*profile), subtitle);
+    else
+      draw_profile(written.back(), *profile, profile_title(*profile), subtitle);
   }
   return written;
 }

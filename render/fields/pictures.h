@@ -31,6 +31,10 @@ void draw_snapshot(const std::filesystem::path& png, const results::FillResult& 
 void draw_profile(const std::filesystem::path& png, const results::Profile& profile, const std::string& title,
                   const std::string& subtitle);
 
+/// A fill level [mm] as a PNG, with the fill plane `depth` [mm] above the cavity's floor.
+void draw_fill_level(const std::filesystem::path& png, const results::Profile& level, double depth,
+                     const std::string& title, const std::string& subtitle);
+
 /// One scale for all that is drawn of the solid fraction of these results, so that a colour means the same on
 /// every picture: from their maps and sections.
 ColourRange solid_fraction_range(const std::vector<const results::FillResult*>& results);

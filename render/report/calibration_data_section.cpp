@@ -28,7 +28,7 @@ Figure curve_picture(const results::CalibratedMeasurement& measurement) {
     measured.y.push_back(datum.measured);
     measured.y_error.push_back(datum.deviation);
     best.y.push_back(datum.simulated);
-    best.y_error.push_back(std::isfinite(datum.scatter) ? datum.scatter : 0);
+    best.y_error.push_back(datum.scatter);  // NaN, no bar, where it is not known
     lower.y.push_back(0.5 * (datum.lower + datum.upper));
     lower.band.push_back(0.5 * (datum.upper - datum.lower));
   }
@@ -52,11 +52,13 @@ Table data_table(const results::Calibration& calibration, bool fitted) {
                                  ? " at " + in_digits(datum.x, 3) + results::unit_behind(measurement.x_unit)
                                  : "";
       const double own = std::isfinite(datum.uncertainty) ? datum.uncertainty : 0;
+      const auto in_unit = [&](double value, int digits) {
+        return in_digits(value, digits) + (std::isfinite(value) ? unit : "");
+      };
       table.rows.push_back(
           {measurement.name + at, in_digits(datum.measured, 4) + " ± " + in_digits(datum.deviation, 2) + unit,
-           in_digits(datum.simulated, 4) + unit,
-           in_digits(datum.lower, 4) + " to " + in_digits(datum.upper, 4) + unit,
-           in_digits(datum.scatter, 2) + unit,
+           in_unit(datum.simulated, 4), in_digits(datum.lower, 4) + " to " + in_digits(datum.upper, 4) + unit,
+           in_unit(datum.scatter, 2),
            in_digits((datum.simulated - datum.measured) / std::hypot(datum.deviation, own), 2),
            std::isfinite(datum.finer) ? in_digits(datum.finer, 4) + unit : "–"});
     }

@@ -152,7 +152,7 @@ Curve curve_of(const Strategy& strategy, const results::Profile& wanted) {
     for (const auto* profile : same) values.push_back(profile->y[n]);
     const Scatter value = scatter(values);
     curve.y.push_back(value.mean);
-    if (same.size() > 1) curve.y_error.push_back(std::isfinite(value.deviation) ? value.deviation : 0);
+    if (same.size() > 1) curve.y_error.push_back(value.deviation);  // NaN, no bar, where one run has a value
   }
   return curve;
 }
@@ -170,8 +170,7 @@ Section curves(const std::vector<Strategy>& strategies) {
     chart.title.resize(chart.title.rfind(" ["));
     chart.x.label = axis_name(profile.x_name, profile.x_unit);
     chart.y.label = axis_name(profile.quantity, profile.unit);
-    chart.x.degrees = profile.x_unit == "deg";
-    if (chart.x.degrees) {
+    if (chart.x.in_degrees()) {
       chart.x.lower = 0;
       chart.x.upper = 360;
     }
@@ -199,8 +198,10 @@ std::string lines_missing(const std::vector<std::string>& from, std::vector<std:
 }
 
 std::string change(const Scatter& value, const Scatter& reference) {
+  constexpr double kRounding = 1e-12;  // of sums, over their value
   if (!std::isfinite(value.mean) || !std::isfinite(reference.mean)) return "–";
   const double difference = value.mean - reference.mean;
+  if (std::abs(difference) <= kRounding * std::abs(reference.mean)) return "0";
   std::string text = (difference >= 0 ? "+" : "−") + in_digits(std::abs(difference), 3);
   if (reference.mean != 0)
     text += std::string(" (") + (difference >= 0 ? "+" : "−") +

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "process/results/figure_table.h"
 #include "render/report/numbers.h"
 
 namespace diefill::render::report {
@@ -40,7 +39,11 @@ std::string axis_title(const std::string& figure) {
 }
 
 std::string unit_in_print(const std::string& figure) {
-  const std::string unit = figure_called(figure).shown.unit;
+  return unit_in_print(figure_called(figure));
+}
+
+std::string unit_in_print(const results::Figure& figure) {
+  const std::string unit = figure.shown.unit;
   if (unit == "1") return {};
   return unit == "deg" ? "°" : replaced(replaced(unit, "^2", "²"), "^3", "³");
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "process/results/figure_table.h"
 #include "process/results/fill_result.h"
 #include "render/report/document.h"
 
@@ -25,6 +26,7 @@ std::string axis_title(const std::string& figure);
 
 /// The unit that a figure is shown in: "kg/m³", "°"; empty for plain numbers.
 std::string unit_in_print(const std::string& figure);
+std::string unit_in_print(const results::Figure& figure);
 
 /// A value in the unit that the figure is shown in.
 double in_shown_unit(const std::string& figure, double value);

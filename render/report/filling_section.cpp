@@ -96,7 +96,7 @@ Table thing_table(const FillResult& result) {
       if (results::find_figure(name) == &figure && std::isfinite(value))
         table.rows.push_back(
             {results::capitalised(results::label_of(figure, results::item_of(figure, name))),
-             with_unit(figure.shown.factor * value, figure.shown.unit, figure.shown.digits)});
+             with_unit(figure.shown.factor * value, unit_in_print(figure), figure.shown.digits)});
   }
   return table;
 }

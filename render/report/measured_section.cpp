@@ -26,7 +26,7 @@ std::vector<double> differences(const MeasuredComparison& comparison) {
 }
 
 /// In one line, such as "mean difference 0.2 mm, rms 0.4 mm, correlation 0.9".
-std::string words_of(const MeasuredComparison& comparison) {
+std::string comparison_line(const MeasuredComparison& comparison) {
   const auto& all = comparison.zones.front();
   const std::string unit = results::unit_behind(comparison.unit);
   return "simulated less measured: mean " + in_digits(all.simulated - all.measured, 2) + unit + ", rms " +
@@ -43,9 +43,8 @@ std::string places_left_out(const MeasuredComparison& comparison) {
 
 Chart chart_over_first(const MeasuredComparison& comparison) {
   Chart chart;
-  chart.subtitle = words_of(comparison);
+  chart.subtitle = comparison_line(comparison);
   chart.x.label = with_unit_of(results::capitalised(comparison.first_name), comparison.first_unit);
-  chart.x.degrees = comparison.first_unit == "deg";
   chart.y.label = with_unit_of(results::capitalised(comparison.quantity), comparison.unit);
   return chart;
 }
@@ -110,7 +109,7 @@ ColourRange range_of(const MeasuredComparison& comparison) {
 MeasuredPicture scatter_picture(const MeasuredComparison& comparison) {
   Chart chart;
   chart.title = "Simulated over measured " + comparison.quantity + ", " + comparison.name;
-  chart.subtitle = words_of(comparison);
+  chart.subtitle = comparison_line(comparison);
   chart.x.label = with_unit_of("Measured " + comparison.quantity, comparison.unit);
   chart.y.label = with_unit_of("Simulated " + comparison.quantity, comparison.unit);
   const ColourRange range = range_of(comparison);
@@ -133,9 +132,11 @@ std::vector<MeasuredPicture> map_pictures(const MeasuredComparison& comparison) 
     pictures.push_back(
         {"_simulated", field_picture(field_of(comparison, comparison.simulated), "Simulated " + what,
                                      "at the measured places", range, "simulated " + what, style)});
-    pictures.push_back({"_difference", difference_picture(field_of(comparison, differences(comparison)),
-                                                          "Difference of " + what, words_of(comparison),
-                                                          "simulated less measured " + what, style)});
+    style.scale_label = "difference of " + comparison.quantity;
+    pictures.push_back(
+        {"_difference",
+         difference_picture(field_of(comparison, differences(comparison)), "Difference of " + what,
+                            comparison_line(comparison), "simulated less measured " + what, style)});
   }
   pictures.push_back(scatter_picture(comparison));
   return pictures;
@@ -164,7 +165,7 @@ std::vector<MeasuredPicture> measured_pictures(const MeasuredComparison& compari
 Section measured_section(const std::vector<MeasuredComparison>& comparisons, int level) {
   Section section{"Against measured data", level, {}};
   for (const MeasuredComparison& comparison : comparisons) {
-    section.blocks.emplace_back(Paragraph{comparison.name + ", " + words_of(comparison) + '.'});
+    section.blocks.emplace_back(Paragraph{comparison.name + ", " + comparison_line(comparison) + '.'});
     if (std::string left_out = places_left_out(comparison); !left_out.empty())
       section.blocks.emplace_back(Paragraph{std::move(left_out), true});
     section.blocks.emplace_back(table_of(comparison));
@@ -176,7 +177,7 @@ Section measured_section(const std::vector<MeasuredComparison>& comparisons, int
 }
 
 std::string measured_text(const MeasuredComparison& comparison) {
-  std::string text = comparison.name + ", " + words_of(comparison) + '\n';
+  std::string text = comparison.name + ", " + comparison_line(comparison) + '\n';
   if (const std::string left_out = places_left_out(comparison); !left_out.empty())
     text += "  " + left_out + '\n';
   for (const auto& zone : comparison.zones) {

@@ -1,6 +1,8 @@
 #include "render/report/over_time.h"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 
 #include "process/results/figure_table.h"
 #include "process/results/probe_columns.h"
@@ -21,17 +23,9 @@ std::string part_behind(const std::string& name) {
   return name.substr(name.find('/') + 1);
 }
 
-/// The words with which all names begin, such as "force" of "force x" and "force y"; "value" where there are
-/// none.
-std::string common_words(const std::vector<Curve>& curves) {
-  std::string common = curves.front().name + ' ';
-  for (const Curve& curve : curves) {
-    const std::string name = curve.name + ' ';
-    const auto differ = std::mismatch(common.begin(), common.end(), name.begin(), name.end()).first;
-    common.erase(differ, common.end());
-  }
-  common.erase(std::min(common.find_last_of(' '), common.size()));
-  return common.empty() ? "value" : common;
+std::vector<std::string> words_in(const std::string& name) {
+  std::istringstream text(name);
+  return {std::istream_iterator<std::string>(text), {}};
 }
 
 /// The columns named, one curve each.
@@ -50,7 +44,9 @@ Chart chart_of(const FillResult& result, const std::string& title, const std::ve
     unit = column.unit == "1" ? "" : " [" + column.unit + ']';
     chart.curves.push_back(std::move(curve));
   }
-  chart.y.label = results::capitalised(common_words(chart.curves)) + unit;
+  std::vector<std::string> parts;
+  for (const Curve& curve : chart.curves) parts.push_back(curve.name);
+  chart.y.label = results::capitalised(common_words(parts)) + unit;
   if (chart.curves.size() == 1) chart.curves.front().name.clear();
   return chart;
 }
@@ -81,6 +77,19 @@ bool has_points(const Chart& chart) {
 }
 
 }  // namespace
+
+std::string common_words(const std::vector<std::string>& names) {
+  std::vector<std::string> first = words_in(names.front()), last = first;
+  for (const std::string& name : names) {
+    const auto words = words_in(name);
+    first.erase(std::mismatch(first.begin(), first.end(), words.begin(), words.end()).first, first.end());
+    const auto differ = std::mismatch(last.rbegin(), last.rend(), words.rbegin(), words.rend()).first;
+    last.erase(last.begin(), differ.base());
+  }
+  std::string common;
+  for (const std::string& word : first.empty() ? last : first) common += (common.empty() ? "" : " ") + word;
+  return common.empty() ? "value" : common;
+}
 
 Section over_time_section(const FillResult& result) {
   Section section{"Over time", 1, {}};

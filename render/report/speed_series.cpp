@@ -22,7 +22,7 @@ Chart speed_chart(const std::vector<Strategy>& strategies, const CriticalSpeed& 
     const Scatter ratio = strategy.of("fill_ratio");
     found.x.push_back(strategy.of("shoe_speed_m_s").mean);
     found.y.push_back(ratio.mean);
-    found.y_error.push_back(std::isfinite(ratio.deviation) ? ratio.deviation : 0);
+    found.y_error.push_back(ratio.deviation);  // NaN, no bar, of a single run
     fastest = std::max(fastest, found.x.back());
   }
   chart.curves.push_back(found);

@@ -1,5 +1,7 @@
 #include "render/scene3d/snapshot.h"
 
+#include <QFontMetricsF>
+#include <QTextOption>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,14 +23,6 @@ constexpr double kBarColumn = 220;
 bool is_closed(const results::GrainSolidFraction& fraction, std::size_t grain) {
   return grain < fraction.solid_fraction.size() && grain < fraction.open.size() && !fraction.open[grain] &&
          std::isfinite(fraction.solid_fraction[grain]);
-}
-
-// Solid fraction of every grain, NaN where its cell is open or was not measured.
-std::vector<double> grain_values(const results::FillResult& result) {
-  std::vector<double> values(result.powder.position.size(), std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (is_closed(result.solid_fraction, k)) values[k] = result.solid_fraction.solid_fraction[k];
-  return values;
 }
 
 // A round length that takes about a sixth of the view, mm.
@@ -86,7 +80,7 @@ void draw_triad(QPainter& painter, const QPointF& origin, const ViewChoice& view
   constexpr double kLength = 52;
   const double elevation = view.elevation;
   if (view.azimuth != 0 || elevation > 1.2) {
-    draw_turned_triad(painter, origin - QPointF(0, 22), view);
+    draw_turned_triad(painter, origin - QPointF(0, 40), view);
     return;
   }
   const QPointF x(kLength, 0), z(0, -kLength * std::cos(elevation));
@@ -152,6 +146,29 @@ void draw_scene(QPainter& painter, SnapshotPicture& picture, const results::Fill
   picture.scale_pixels = picture.scale_bar / (1e3 * picture.view.width) * picture.scene.width();
 }
 
+/// A swatch for each kind, one below the other, with its name in as many lines as it takes.
+void draw_kinds_beside(QPainter& painter, SnapshotPicture& picture, const std::vector<std::string>& kinds) {
+  constexpr double kSide = 28, kApart = 18;
+  const double left = picture.scene.right() + 24, text_left = left + kSide + 10;
+  double top = picture.scene.top() + 24;
+  painter.setFont(text_font(kNotePixels));
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    picture.swatches.emplace_back(left, top, kSide, kSide);
+    const Rgb colour = bar_colour(picture.bar, static_cast<double>(k + 1));
+    painter.setPen(QPen(Qt::black, 1.5));
+    painter.setBrush(QColor(colour.red, colour.green, colour.blue));
+    painter.drawRect(picture.swatches.back());
+    const QRectF room(text_left, top - 2, kWidth - kMargin / 2 - text_left, picture.scene.bottom() - top);
+    QTextOption words(Qt::AlignLeft | Qt::AlignTop);
+    words.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    painter.setPen(Qt::black);
+    const QString name = QString::fromStdString(kinds[k]);
+    painter.drawText(room, name, words);
+    const QRectF taken = QFontMetricsF(painter.font()).boundingRect(room, Qt::TextWrapAnywhere, name);
+    top += std::max(kSide, taken.height()) + kApart;
+  }
+}
+
 void draw_bar_beside(QPainter& painter, SnapshotPicture& picture) {
   const double height = std::min(760.0, picture.scene.height() - 2 * kBarPoint);
   picture.bar_rect = QRectF(picture.scene.right() + 44, std::round(picture.scene.center().y() - 0.5 * height),
@@ -161,14 +178,23 @@ void draw_bar_beside(QPainter& painter, SnapshotPicture& picture) {
 
 }  // namespace
 
+std::vector<double> fractions_of_closed_cells(const results::FillResult& result) {
+  std::vector<double> values(result.powder.position.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (is_closed(result.solid_fraction, k)) values[k] = result.solid_fraction.solid_fraction[k];
+  return values;
+}
+
 SnapshotPicture compose_snapshot(const results::FillResult& result, const ViewOptions& options) {
-  const std::vector<double> values = options.values.empty() ? grain_values(result) : options.values;
+  const std::vector<double> values =
+      options.values.empty() ? fractions_of_closed_cells(result) : options.values;
   const auto closed = static_cast<std::size_t>(
       std::count_if(values.begin(), values.end(), [](double value) { return std::isfinite(value); }));
   SnapshotPicture picture;
   picture.image = white_canvas(kWidth, kHeight, options.pixels);
-  picture.bar =
-      make_colour_bar(axis_label(options.quantity, options.unit), values, {options.lower, options.upper});
+  const Interval range = options.kinds.size() < 2 ? Interval{options.lower, options.upper}
+                                                  : Interval{1, static_cast<double>(options.kinds.size())};
+  picture.bar = make_colour_bar(axis_label(options.quantity, options.unit), values, range);
   QPainter painter(&picture.image);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   const Heading heading = heading_of(result);
@@ -185,7 +211,10 @@ SnapshotPicture compose_snapshot(const results::FillResult& result, const ViewOp
   draw_scene(painter, picture, result, values, options);
   draw_foot(painter, picture,
             closed < values.size() ? QString::fromStdString(options.grey_means) : QString());
-  if (closed > 0) draw_bar_beside(painter, picture);
+  if (!options.kinds.empty())
+    draw_kinds_beside(painter, picture, options.kinds);
+  else if (closed > 0)
+    draw_bar_beside(painter, picture);
   return picture;
 }
 

@@ -22,13 +22,17 @@ struct SnapshotPicture {
   ViewChoice view;  ///< what it shows
   QRectF bar_rect;  ///< pixels of the colour bar; empty where no grain has a closed cell
   ColourBar bar;
-  double scale_bar = 0;     ///< mm, length that the scale bar stands for
-  double scale_pixels = 0;  ///< pixels, its length
+  std::vector<QRectF> swatches;  ///< of ViewOptions::kinds, pixels
+  double scale_bar = 0;          ///< mm, length that the scale bar stands for
+  double scale_pixels = 0;       ///< pixels, its length
 };
 
 /// What a shaded view is of.
 struct ViewOptions {
   std::vector<double> values;  ///< one a grain, NaN: grey; empty: solid fraction of closed cells
+  /// What the values 1, 2, ... mean, such as powders: a legend in place of the colour scale; empty: values
+  /// are numbers.
+  std::vector<std::string> kinds;
   std::string quantity = "solid fraction", unit;
   std::string grey_means = "grain without closed cell (free surface)";
   double lower = std::numeric_limits<double>::quiet_NaN();  ///< of the colour scale; NaN: from the values
@@ -38,6 +42,9 @@ struct ViewOptions {
   SceneLook look;
   double pixels = 1;  ///< picture points a layout point
 };
+
+/// Solid fraction of every grain, NaN where its cell is open or was not measured.
+std::vector<double> fractions_of_closed_cells(const results::FillResult& result);
 
 /// Draws the snapshot on a canvas of 1600 x 1200 layout points; throws std::runtime_error where there is no
 /// renderer.

@@ -1,5 +1,6 @@
 #include "render/style/axes.h"
 
+#include <QFontMetricsF>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
@@ -24,9 +25,11 @@ double widest_label(const Axis& axis) {
 
 void draw_x_ticks(QPainter& painter, const PlotArea& area) {
   const QRectF& rect = area.rect;
+  const TickTexts texts = x_tick_texts(area);
+  painter.setFont(text_font(texts.pixels));
   for (std::size_t k = 0; k < area.x.ticks.at.size(); ++k) {
     const double x = area.pixel(area.x.ticks.at[k], 0).x();
-    const QString label = QString::fromStdString(area.x.ticks.labels[k]);
+    const QString& label = texts.labels[k];
     const double length = label.isEmpty() ? kMinorTickLength : kTickLength;
     painter.drawLine(QPointF(x, rect.bottom()), QPointF(x, rect.bottom() + length));
     painter.drawText(QRectF(x - 200, rect.bottom() + kTickLength + kTickGap, 400, kLineHeight * kTickPixels),
@@ -71,6 +74,24 @@ QPointF PlotArea::value(const QPointF& pixel) const {
           y.range.lower + (rect.bottom() - pixel.y()) / rect.height() * y.range.length()};
 }
 
+TickTexts x_tick_texts(const PlotArea& area) {
+  constexpr double kApart = 14;  // pixels
+  TickTexts texts;
+  double room = 2 * area.rect.width(), before = std::nan("");
+  for (std::size_t k = 0; k < area.x.ticks.at.size(); ++k) {
+    texts.labels.push_back(QString::fromStdString(area.x.ticks.labels[k]));
+    if (texts.labels.back().isEmpty()) continue;
+    const double x = area.pixel(area.x.ticks.at[k], 0).x();
+    if (std::isfinite(before)) room = std::min(room, x - before - kApart);
+    before = x;
+  }
+  for (const QString& label : texts.labels)
+    texts.pixels = std::min(texts.pixels, fitting_pixels(label, kTickPixels, room));
+  const QFontMetricsF metrics(text_font(texts.pixels));
+  for (QString& label : texts.labels) label = metrics.elidedText(label, Qt::ElideMiddle, room + 1);
+  return texts;
+}
+
 double left_margin(const Axis& y) {
   return kTickLength + kTickGap + widest_label(y) + 18 + kLineHeight * kLabelPixels;
 }
@@ -97,8 +118,8 @@ void draw_axes(QPainter& painter, const PlotArea& area, const QSizeF& canvas) {
   painter.setPen(QPen(Qt::black, 2));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(area.rect);
-  painter.setFont(text_font(kTickPixels));
   draw_x_ticks(painter, area);
+  painter.setFont(text_font(kTickPixels));
   draw_y_ticks(painter, area);
 
   const QFont font = text_font(kLabelPixels);

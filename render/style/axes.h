@@ -4,7 +4,9 @@
 #include <QPainter>
 #include <QRectF>
 #include <QString>
+#include <vector>
 
+#include "render/style/text.h"
 #include "render/style/ticks.h"
 
 namespace diefill::render {
@@ -37,6 +39,15 @@ double left_margin(const Axis& y);
 
 /// Pixels below the data rectangle that the x axis' ticks and label take.
 double bottom_margin();
+
+/// Labels of the x axis' ticks as they are drawn, and the height of their type in pixels.
+struct TickTexts {
+  std::vector<QString> labels;
+  int pixels = kTickPixels;
+};
+
+/// Labels so small, and where that is not enough so short, that neighbours do not touch.
+TickTexts x_tick_texts(const PlotArea& area);
 
 /// Draws pale lines at the labelled ticks, to be drawn before the data.
 void draw_grid(QPainter& painter, const PlotArea& area);

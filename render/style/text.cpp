@@ -78,17 +78,25 @@ void Heading::draw(QPainter& painter, double left, double top) const {
   }
 }
 
+int fitting_pixels(const QString& text, int pixels, double most_width) {
+  constexpr int kLeast = 16;
+  while (pixels > kLeast && text_width(text, text_font(pixels)) > most_width) --pixels;
+  return pixels;
+}
+
 void draw_centred(QPainter& painter, const QPointF& centre, const QString& text, int pixels,
                   double most_width, double angle) {
-  QFont font = text_font(pixels);
-  while (pixels > 16 && text_width(text, font) > most_width) font = text_font(--pixels);
+  constexpr double kRounding = 1;  // pixels
+  pixels = fitting_pixels(text, pixels, most_width);
+  const QFont font = text_font(pixels);
+  const QString shown = QFontMetricsF(font).elidedText(text, Qt::ElideRight, most_width + kRounding);
   painter.save();
   painter.translate(centre);
   painter.rotate(angle);
   painter.setFont(font);
   painter.setPen(Qt::black);
-  const double half = 0.5 * std::max(most_width, text_width(text, font)) + 4;
-  painter.drawText(QRectF(-half, -2.0 * pixels, 2 * half, 4.0 * pixels), Qt::AlignCenter, text);
+  const double half = 0.5 * most_width + 4;
+  painter.drawText(QRectF(-half, -2.0 * pixels, 2 * half, 4.0 * pixels), Qt::AlignCenter, shown);
   painter.restore();
 }
 

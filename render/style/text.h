@@ -46,8 +46,11 @@ class Heading {
   Block title_, subtitle_;
 };
 
-/// Draws one line centred at `centre`, shrunk where it would be wider than `most_width`. `angle` in degrees,
-/// clockwise.
+/// Height in pixels of a line of text, from `pixels` down to 16, at which it is no wider than `most_width`.
+int fitting_pixels(const QString& text, int pixels, double most_width);
+
+/// Draws one line centred at `centre`, shrunk where it would be wider than `most_width`, and shortened with
+/// an ellipsis where 16 pixels are still too wide. `angle` in degrees, clockwise.
 void draw_centred(QPainter& painter, const QPointF& centre, const QString& text, int pixels,
                   double most_width, double angle = 0);
 

@@ -27,6 +27,22 @@ Ticks ticks_of_step(const Interval& range, double step) {
   return ticks;
 }
 
+/// Part of a full turn that ticks of degrees stand apart; on finer ranges that of nice_ticks.
+double angle_step(const Interval& range, int most) {
+  if (range.length() >= 60) {
+    for (const double step : {15.0, 30.0, 45.0, 60.0, 90.0, 180.0}) {
+      const auto [first, last] = multiples_inside(range, step);
+      if (last - first + 1 <= most) return step;
+    }
+  }
+  return nice_step(range, most);
+}
+
+Interval widened_to(const Interval& range, double step) {
+  return {std::floor(range.lower / step + kRoundingSlack) * step,
+          std::ceil(range.upper / step - kRoundingSlack) * step};
+}
+
 double percentile(const std::vector<double>& sorted, double fraction) {
   const double place = fraction * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);
@@ -80,13 +96,11 @@ Ticks nice_ticks(const Interval& range, int most) {
 }
 
 Ticks angle_ticks(const Interval& range, int most) {
-  if (range.length() >= 60) {
-    for (const double step : {15.0, 30.0, 45.0, 60.0, 90.0, 180.0}) {
-      const auto [first, last] = multiples_inside(range, step);
-      if (last - first + 1 <= most) return ticks_of_step(range, step);
-    }
-  }
-  return nice_ticks(range, most);
+  return ticks_of_step(range, angle_step(range, most));
+}
+
+Interval widen_to_angles(const Interval& range, int most) {
+  return widened_to(range, angle_step(range, most));
 }
 
 Ticks decade_ticks(const Interval& range) {
@@ -107,9 +121,7 @@ Ticks decade_ticks(const Interval& range) {
 }
 
 Interval widen_to_nice(const Interval& range, int most) {
-  const double step = nice_step(range, most);
-  return {std::floor(range.lower / step + kRoundingSlack) * step,
-          std::ceil(range.upper / step - kRoundingSlack) * step};
+  return widened_to(range, nice_step(range, most));
 }
 
 Interval robust_range(std::span<const double> values, double least_relative_span) {

@@ -29,6 +29,9 @@ Ticks nice_ticks(const Interval& range, int most);
 /// nice_ticks.
 Ticks angle_ticks(const Interval& range, int most);
 
+/// `range` widened outwards to multiples of the step that angle_ticks takes.
+Interval widen_to_angles(const Interval& range, int most);
+
 /// Ticks for a logarithmic axis (0 < lower < upper): decades labelled, 2 to 9 minor; on less than two decades
 /// 2 and 5 are labelled too.
 Ticks decade_ticks(const Interval& range);

@@ -6,10 +6,11 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <stdexcept>
 #include <thread>
 
 #include "project_paths.h"
-#include "tests/app/small_die.h"
+#include "tests/app/shared_report.h"
 #include "tests/support/scene_text.h"
 
 namespace diefill::app {
@@ -24,8 +25,7 @@ class Calibrated {
   Calibrated() {
     die_.exchange("reduced_modulus", "friction = 0.45\nreduced_modulus");
     die_.exchange("seed = 1", "seed = 77");
-    EXPECT_EQ(die_.run({"--no-pictures"}).exit_code, 0);
-    measured_ = die_.report().at("filled_mass_kg").get<double>() * 1e6;
+    measured_ = shared_report(die_).at("filled_mass_kg").get<double>() * 1e6;
     die_.exchange("friction = 0.45", "friction = 0.3");
     die_.write("calibration.toml", text());
   }
@@ -52,16 +52,25 @@ class Calibrated {
   double measured_ = 0;
 };
 
+/// Where the results of the whole calibration are, which tests share and leave as they are. To be asked for
+/// before other files lie beside those of `calibrated`.
+std::filesystem::path results_of(const Calibrated& calibrated) {
+  return shared_folder(calibrated.die(), "calibration", [&](const std::filesystem::path& folder) {
+    const Outcome outcome =
+        run_program({"calibrate", (calibrated.die().folder() / "calibration.toml").string(), "--out",
+                     folder.string(), "--pdf"});
+    if (outcome.exit_code != 0) throw std::runtime_error(outcome.err + outcome.out);
+  });
+}
+
 nlohmann::json account_in(const std::filesystem::path& folder) {
   return nlohmann::json::parse(contents(folder / "calibration.json"));
 }
 
 TEST(Calibrate, FindsAPlantedFrictionAndWritesAPowderThatScenesUse) {
   const Calibrated calibrated;
-  const Outcome outcome = run_program(calibrated.arguments({"--pdf"}));
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  SCOPED_TRACE(outcome.out);
-  const auto account = account_in(calibrated.out());
+  const auto results = results_of(calibrated);
+  const auto account = account_in(results);
   const auto& friction = account.at("parameters").at(0);
   EXPECT_EQ(friction.at("key"), "powder.friction");
   EXPECT_LE(friction.at("lower_90").get<double>(), kPlanted);
@@ -69,12 +78,12 @@ TEST(Calibrate, FindsAPlantedFrictionAndWritesAPowderThatScenesUse) {
   EXPECT_TRUE(account.at("agrees").get<bool>());
   for (const char* file :
        {"calibration.html", "calibration.pdf", "calibration.csv", "calibration_points.csv"})
-    EXPECT_GT(contents(calibrated.out() / file).size(), 100U) << file;
-  EXPECT_EQ(contents(calibrated.out() / "calibration.pdf").substr(0, 4), "%PDF");
+    EXPECT_GT(contents(results / file).size(), 100U) << file;
+  EXPECT_EQ(contents(results / "calibration.pdf").substr(0, 4), "%PDF");
 
   // The powder in a scene: the run has its friction, and says so where its walls are others.
   const auto& die = calibrated.die();
-  std::filesystem::copy_file(calibrated.out() / "powder.toml", die.folder() / "powder.toml");
+  std::filesystem::copy_file(results / "powder.toml", die.folder() / "powder.toml");
   die.exchange(
       "preset = \"ASC100.29 A2\"\ngrain_diameter = \"1 mm\"\nfriction = 0.3\nreduced_modulus = \"3 MPa\"\n",
       "file = \"powder.toml\"\nreduced_modulus = \"4 MPa\"\n");
@@ -121,7 +130,7 @@ TEST(Calibrate, ADirectoryWhoseInputsItWouldReplaceIsRefused) {
 
 TEST(Calibrate, KilledAtRandomMomentsItGoesOnToTheSameResult) {
   const Calibrated calibrated;
-  ASSERT_EQ(run_program(calibrated.arguments({"--quiet"}, "whole")).exit_code, 0);
+  const auto whole = results_of(calibrated);
   std::vector<std::string> more = {"--quiet"};
   for (const int milliseconds : {1500, 2300, 900}) {
     Program program(calibrated.arguments(more, "killed"));
@@ -136,10 +145,8 @@ TEST(Calibrate, KilledAtRandomMomentsItGoesOnToTheSameResult) {
   }
   const Outcome last = run_program(calibrated.arguments(more, "killed"));
   ASSERT_EQ(last.exit_code, 0) << last.err;
-  EXPECT_EQ(contents(calibrated.out("killed") / "powder.toml"),
-            contents(calibrated.out("whole") / "powder.toml"));
-  EXPECT_EQ(account_in(calibrated.out("killed")).at("samples"),
-            account_in(calibrated.out("whole")).at("samples"));
+  EXPECT_EQ(contents(calibrated.out("killed") / "powder.toml"), contents(whole / "powder.toml"));
+  EXPECT_EQ(account_in(calibrated.out("killed")).at("samples"), account_in(whole).at("samples"));
 }
 
 TEST(Calibrate, ADirectoryWithRunsIsContinuedOnlyWhenAsked) {
@@ -207,6 +214,7 @@ TEST(Calibrate, AScreeningChartsEffectsWithTheirErrors) {
 
 TEST(Calibrate, RunsDoneElsewhereAreCollectedRoundByRound) {
   const Calibrated calibrated;
+  const auto here = results_of(calibrated);
   const std::string jobs = calibrated.out("jobs").string();
   const std::string file = (calibrated.die().folder() / "calibration.toml").string();
   const std::string run =
@@ -231,9 +239,7 @@ TEST(Calibrate, RunsDoneElsewhereAreCollectedRoundByRound) {
   EXPECT_LT(rounds, 6);
   const Outcome collected = run_program({"calibrate", file, "--collect", jobs, "--quiet"});
   ASSERT_EQ(collected.exit_code, 0) << collected.err;
-  ASSERT_EQ(run_program(calibrated.arguments({"--quiet"}, "here")).exit_code, 0);
-  EXPECT_EQ(contents(calibrated.out("jobs") / "powder.toml"),
-            contents(calibrated.out("here") / "powder.toml"));
+  EXPECT_EQ(contents(calibrated.out("jobs") / "powder.toml"), contents(here / "powder.toml"));
 }
 
 TEST(Calibrate, ProfilesMapsChecksAndFinerGrainsGoThrough) {
@@ -272,7 +278,7 @@ TEST(Calibrate, ProfilesMapsChecksAndFinerGrainsGoThrough) {
 
 TEST(Calibrate, PowdersOfItsRegionShowWhatTheirUncertaintyDoes) {
   const Calibrated calibrated;
-  ASSERT_EQ(run_program(calibrated.arguments({"--quiet"})).exit_code, 0);
+  const auto found = results_of(calibrated);
   const auto& die = calibrated.die();
   const auto samples = [&](const std::string& number) {
     return run_program({"run", die.scene().string(), "--powder-samples", number, "--seeds", "2", "--out",
@@ -282,7 +288,7 @@ TEST(Calibrate, PowdersOfItsRegionShowWhatTheirUncertaintyDoes) {
   EXPECT_EQ(without.exit_code, 2);
   EXPECT_EQ(without.complaints(), 1U) << without.err;
   EXPECT_NE(without.err.find("no powder.file"), std::string::npos) << without.err;
-  std::filesystem::copy_file(calibrated.out() / "powder.toml", die.folder() / "powder.toml");
+  std::filesystem::copy_file(found / "powder.toml", die.folder() / "powder.toml");
   die.exchange(
       "preset = \"ASC100.29 A2\"\ngrain_diameter = \"1 mm\"\nfriction = 0.3\nreduced_modulus = \"3 MPa\"\n"
       "damping_over_radius = \"3e5 Pa s/m\"\n",

@@ -115,6 +115,8 @@ TEST(Clumps, OfTheUsersOwnFillAndAreDrawn) {
   from_file.write("grain.csv",
                   "x [mm], y [mm], z [mm], radius [mm]\n0, 0, 0, 0.1\n0.12, 0, 0, 0.07\n0, 0.1, 0, 0.06\n");
   from_file.exchange(kSize, "spheres_file = \"grain.csv\"\ngrain_diameter = \"0.9 mm\"\n");
+  for (const SmallDie* each : {&die, &from_file})
+    each->exchange("fill_height = \"5 mm\"", "fill_height = \"2 mm\"");
   const auto report = whole_report(die);
   const auto result = results::read_results(die.out());
   EXPECT_EQ(result.powder.sphere_offsets.size(), 3U);

@@ -1,8 +1,6 @@
-// diefill estimate, its short form in plan and check, and pilots that are kept, as a user meets them.
+// diefill estimate and its short form in plan and check, as a user meets them.
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "project_paths.h"
@@ -153,31 +151,6 @@ TEST(Estimate, SaysWhereAFitCountsOpeningsAsTheyAre) {
   }
   die.write("fit.json", R"({"law": "beverloo-round", "coefficients": {"C": {"value": 0.58}}})");
   expect_refused({"estimate", scene, "--discharge", file}, "through holes");
-}
-
-TEST(Plan, KeepsItsPilotSoThatASecondPlanIsQuick) {
-  const SmallDie die;
-  const char* before = std::getenv("XDG_CACHE_HOME");
-  const std::string was = before == nullptr ? "" : before;
-  setenv("XDG_CACHE_HOME", die.folder().c_str(), 1);
-  const std::vector<std::string> words = {"plan", die.scene().string(), "--json", "--threads", "1"};
-  const auto now = [] { return std::chrono::steady_clock::now(); };
-  const auto began = now();
-  const auto first = json_of(words);
-  const auto between = now();
-  const auto second = json_of(words);
-  EXPECT_LT(now() - between, between - began);  // no pilot, and no beds of several sizes
-  EXPECT_TRUE(first.at("pilot").at("kept_since").is_null());
-  EXPECT_FALSE(second.at("pilot").at("kept_since").is_null());
-  EXPECT_EQ(first.at("choices"), second.at("choices"));
-  EXPECT_GT(first.at("pilot").at("processor_share").get<double>(), 0);
-  EXPECT_LE(first.at("pilot").at("processor_share").get<double>(), 1);
-  die.exchange("seed = 1", "seed = 2");  // another computation
-  EXPECT_TRUE(json_of(words).at("pilot").at("kept_since").is_null());
-  if (before == nullptr)
-    unsetenv("XDG_CACHE_HOME");
-  else
-    setenv("XDG_CACHE_HOME", was.c_str(), 1);
 }
 
 }  // namespace

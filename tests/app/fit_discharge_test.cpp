@@ -104,6 +104,7 @@ TEST_F(FitDischarge, RemarksOnFactorsThatOnlyAWrongUnitGives) {
   EXPECT_NE(said_of("speed m/s,mass mg", "3.0 g/cm^3").find(remark), std::string::npos);
   const auto json = nlohmann::json::parse(support::contents(out() / "fit.json"));
   EXPECT_NE(json.at("remarks").at(0).get<std::string>().find(remark), std::string::npos);
+  EXPECT_EQ(json.at("doubts").at(0), json.at("remarks").at(0));
 }
 
 TEST_F(FitDischarge, RemarksOnAFactorOfBeverloosLawThatOnlyAWrongUnitGives) {

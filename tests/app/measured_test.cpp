@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/app/commands/variants.h"
+#include "tests/app/shared_report.h"
 
 namespace diefill::app {
 namespace {
@@ -15,8 +16,7 @@ class ZonedDie {
     die_.exchange("[measure]",
                   "[[measure.zone]]\nname = \"upper half\"\nheights = [\"-2 mm\", \"0 mm\"]\n\n"
                   "[[measure.zone]]\nname = \"lower half\"\nheights = [\"-4 mm\", \"-2 mm\"]\n\n[measure]");
-    const Outcome run = die_.run({"--no-pictures"});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
+    take_shared_results(die_);
   }
   const SmallDie& die() const { return die_; }
   /// The fill level that the run found, shifted by 0.5 mm.
@@ -65,8 +65,8 @@ TEST(MeasuredData, AreHeldAgainstAResultByMapReportAndCompare) {
   EXPECT_NE(page.find("Share of the powder in lower half"), std::string::npos);
 
   const std::string compared = (die.folder() / "compared").string();
-  const Outcome compare = run_program(
-      {"compare", die.scene().string(), "--out", compared, "--quiet", "--measured", zoned.measured()});
+  const Outcome compare = run_program({"compare", die.scene().string(), "--out", compared, "--quiet",
+                                       "--no-pictures", "--measured", zoned.measured()});
   ASSERT_EQ(compare.exit_code, 0) << compare.err;
   const auto json = nlohmann::json::parse(contents(std::filesystem::path(compared) / "comparison.json"));
   const std::string all = json.dump();

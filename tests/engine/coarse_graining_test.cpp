@@ -5,6 +5,7 @@
 #include <array>
 
 #include "coarse_graining_collision.h"
+#include "engine/coarse_graining/methods.h"
 
 namespace diefill::engine {
 namespace {
@@ -79,6 +80,13 @@ INSTANTIATE_TEST_SUITE_P(Encounters, CoarseGraining,
                                            EncounterCase{PairCollision::oblique, LeverArm::center},
                                            EncounterCase{PairCollision::oblique, LeverArm::contact}),
                          name_of);
+
+TEST(CoarseGrainingRule, OfBierwischAndThakurIsOneFunction) {
+  const auto* hertz = coarse_graining::parameter_rule("bierwisch");
+  const auto* linear = coarse_graining::parameter_rule("Thakur");
+  ASSERT_TRUE(hertz && linear);
+  EXPECT_EQ(hertz->scaled, linear->scaled);
+}
 
 TEST(CoarseGrainingRule, ScalesWhatTheThesisScales) {
   auto fine = table_c1();

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/observe/energy_balance.h"
+#include "engine/simulation/simulation.h"
 #include "process/results/formatted.h"
 #include "process/results/storage/atomic_file.h"
 

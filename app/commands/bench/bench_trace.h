@@ -3,7 +3,9 @@
 
 #include <filesystem>
 
-#include "engine/simulation/simulation.h"
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
 
 namespace diefill::app {
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "engine/observe/memory_traffic.h"
+#include "engine/simulation/simulation.h"
 #include "process/results/storage/hash_text.h"
 
 namespace diefill::app {

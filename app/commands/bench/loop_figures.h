@@ -4,7 +4,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "engine/simulation/simulation.h"
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
 
 namespace diefill::app {
 

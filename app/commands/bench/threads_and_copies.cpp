@@ -69,7 +69,7 @@ struct Measurement {
   int threads = 1;
 };
 
-std::vector<std::string> words_of(const CopiesBenchmark& benchmark, int threads) {
+std::vector<std::string> arguments_of(const CopiesBenchmark& benchmark, int threads) {
   std::vector<std::string> words = {fs::read_symlink("/proc/self/exe").string()};
   words.insert(words.end(), benchmark.words.begin(), benchmark.words.end());
   words.insert(words.end(), {"--threads", std::to_string(threads), "--json"});
@@ -84,7 +84,7 @@ std::vector<ordered_json> measured(const CopiesBenchmark& benchmark,
   std::vector<std::unique_ptr<process::ChildProcess>> running;
   for (const Measurement& one : measurements) {
     pin(one.processors);
-    running.push_back(std::make_unique<process::ChildProcess>(words_of(benchmark, one.threads),
+    running.push_back(std::make_unique<process::ChildProcess>(arguments_of(benchmark, one.threads),
                                                               folder.log(running.size())));
   }
   pin(own);

@@ -12,6 +12,7 @@
 #include "app/commands/bench/loop_figures.h"
 #include "app/commands/scene_choice.h"
 #include "app/freed_memory.h"
+#include "engine/observe/powder_figures.h"
 #include "process/input/scene_error.h"
 #include "process/results/storage/result_file.h"
 #include "process/run/checkpoint.h"
@@ -35,7 +36,7 @@ class TimedSteps : public process::StepEngine {
     simulation.step();
     ++made_;
     if (!begun_) return;
-    spheres_ += static_cast<double>(simulation.grains().size() * simulation.types().spheres());
+    spheres_ += static_cast<double>(engine::sphere_count(simulation));
   }
   void sync_grains(engine::Simulation&) override {}
   void sync_contacts(engine::Simulation&) override {}

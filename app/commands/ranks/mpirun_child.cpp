@@ -89,13 +89,13 @@ class Mpirun {
   /// Ranks that have begun get all the time that they need for a checkpoint. mpirun that is still starting
   /// them may not heed a signal.
   void ask_to_stop() {
-    constexpr auto kPatience = std::chrono::seconds(5);
+    constexpr auto kLongestStart = std::chrono::seconds(5);
     const auto now = std::chrono::steady_clock::now();
     if (!told_at_) {
       told_at_ = now;
       told_ranks_ = talk_.begun();
       ::kill(process_, told_ranks_ ? SIGUSR1 : SIGTERM);  // the former goes on to all ranks
-    } else if (!told_ranks_ && now - *told_at_ > kPatience) {
+    } else if (!told_ranks_ && now - *told_at_ > kLongestStart) {
       ::kill(process_, SIGKILL);  // its ranks then end by themselves
     }
   }

@@ -31,7 +31,7 @@ std::filesystem::path rank_program() {
 }
 
 /// The arguments of `command`, except the options of add_ranks().
-std::vector<std::string> words_of(const CLI::App& command) {
+std::vector<std::string> arguments_of(const CLI::App& command) {
   std::vector<std::string> words = {command.get_name()}, named;
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
@@ -52,7 +52,7 @@ process::cluster::RankCommand command_of(const RankArguments& arguments) {
   command.program = rank_program();
   command.ranks = arguments.ranks;
   command.hostfile = arguments.hostfile;
-  command.words = words_of(*arguments.command);
+  command.words = arguments_of(*arguments.command);
   command.as_root = geteuid() == 0;
   return command;
 }

@@ -13,7 +13,7 @@ namespace {
 using Column = std::uint64_t;
 
 constexpr std::size_t kMaxBase = 16, kMaxGenerators = 20;
-constexpr std::size_t kPatience = 200000;  // columns tried before a design with more runs is looked for
+constexpr std::size_t kMaxColumnsTried = 200000;  // then a design with more runs is searched
 
 std::string letters_of(Column column, std::size_t base) {
   std::string word;
@@ -53,7 +53,7 @@ bool extend(std::vector<Column>& columns, std::size_t factors, std::size_t resol
             const std::vector<Column>& all, std::size_t from, std::size_t& tried) {
   if (columns.size() == factors) return true;
   for (std::size_t k = from; k < all.size() && all.size() - k >= factors - columns.size(); ++k) {
-    if (++tried > kPatience) return false;
+    if (++tried > kMaxColumnsTried) return false;
     if (!fits(columns, all[k], resolution)) continue;
     columns.push_back(all[k]);
     if (extend(columns, factors, resolution, all, k + 1, tried)) return true;

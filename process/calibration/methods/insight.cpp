@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "process/results/rounding.h"
 #include "process/results/word_list.h"
 
 namespace diefill::process::calibration {
@@ -18,12 +19,6 @@ constexpr double kLeftOpen = 0.7;     // share of its range from which a paramet
 constexpr double kOverlapping = 0.4;  // lesser correlation that is worth a word
 constexpr double kEnd = 0.1;          // of an interval's width: how far an end of the range reaches
 constexpr double kCutOff = 1.5;       // times its share of the samples, at an end where the region is cut off
-
-std::string percent(double share) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.0f %%", 100 * share);
-  return text;
-}
 
 std::string two_digits(double value) {
   char text[16];
@@ -71,7 +66,7 @@ std::vector<std::string> insights(const Region& region, const std::vector<std::s
     const double width = region.upper[at] - region.lower[at];
     if (width > kLeftOpen)
       sentences.push_back(data + says + " next to nothing about " + parameters[d] + ": its interval is " +
-                          percent(width) + " of the range");
+                          results::whole_percent(width) + " of the range");
   }
   add_cut_off(region, parameters, sentences);
   for (std::size_t i = 0; i < parameters.size(); ++i)

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "process/results/studies/mean.h"
 #include "process/results/studies/median.h"
 #include "process/results/studies/quantiles.h"
 
@@ -13,17 +14,11 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-double mean_of(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
 /// From repeats: variance within settings, pooled, carried over to a difference of two means.
 void error_from_repeats(ScreeningEffects& screening, const std::vector<std::vector<double>>& responses) {
   double squares = 0, freedom = 0, of_means = 0;
   for (const auto& values : responses) {
-    const double mean = mean_of(values);
+    const double mean = results::mean_of(values);
     for (const double value : values) squares += (value - mean) * (value - mean);
     freedom += static_cast<double>(values.size() - 1);
     of_means += 1 / static_cast<double>(values.size());
@@ -82,11 +77,11 @@ ScreeningEffects screening_effects(const FractionalDesign& design,
   bool repeated = false;
   for (const auto& values : responses) {
     if (values.empty()) throw std::invalid_argument("a run of the design has no response");
-    means.push_back(mean_of(values));
+    means.push_back(results::mean_of(values));
     repeated = repeated || values.size() > 1;
   }
   ScreeningEffects screening;
-  screening.mean = mean_of(means);
+  screening.mean = results::mean_of(means);
   for (AliasString& string : alias_strings(design)) {
     const double value = contrast(design, means, string.column);
     screening.effects.push_back({std::move(string), value});

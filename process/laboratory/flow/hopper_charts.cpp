@@ -45,6 +45,30 @@ constexpr std::size_t kMaxPoints = 400;
 constexpr double kMinSpeed = 0.02;                           // of sqrt(gD)
 constexpr double kHeights[] = {0.25, 0.5, 0.75, 1, 1.5, 2};  // over the slit's width
 
+/// Evenly chosen points, at most about kMaxPoints, m to mm.
+ExperimentSeries some_nodes(const std::vector<continuum::LengthPoint>& points) {
+  ExperimentSeries nodes{
+      .name = "nodes of the grid", .role = ExperimentSeries::Role::points, .x = {}, .y = {}};
+  const std::size_t every = 1 + points.size() / kMaxPoints;
+  for (std::size_t k = 0; k < points.size(); k += every) {
+    nodes.x.push_back(points[k].fraction);
+    nodes.y.push_back(1e3 * points[k].length);
+  }
+  return nodes;
+}
+
+/// Diffusion length over the solid fractions between two, m to mm.
+ExperimentSeries length_curve(const std::string& name, const continuum::LengthOfFraction& length, double from,
+                              double to) {
+  ExperimentSeries series{.name = name, .role = ExperimentSeries::Role::predicted, .x = {}, .y = {}};
+  for (int k = 0; k <= 60; ++k) {
+    const double fraction = from + (to - from) * k / 60;
+    series.x.push_back(fraction);
+    series.y.push_back(1e3 * length(fraction));
+  }
+  return series;
+}
+
 }  // namespace
 
 ExperimentChart length_chart(const std::vector<continuum::LengthPoint>& points,
@@ -59,13 +83,6 @@ ExperimentChart length_chart(const std::vector<continuum::LengthPoint>& points,
   chart.x = {.label = "Solid fraction"};
   chart.y = {.label = "B [mm]", .logarithmic = true};
   constexpr int kClasses = 16;
-  const std::size_t every = 1 + points.size() / kMaxPoints;
-  ExperimentSeries nodes{
-      .name = "nodes of the grid", .role = ExperimentSeries::Role::points, .x = {}, .y = {}};
-  for (std::size_t k = 0; k < points.size(); k += every) {
-    nodes.x.push_back(points[k].fraction);
-    nodes.y.push_back(1e3 * points[k].length);
-  }
   ExperimentSeries mean{.name = "mean", .x = {}, .y = {}}, low = mean, high = mean;
   low.name = "mean less deviation";
   high.name = "mean and deviation";
@@ -80,19 +97,10 @@ ExperimentChart length_chart(const std::vector<continuum::LengthPoint>& points,
     from = std::min(from, one.fraction);
     to = std::max(to, one.fraction);
   }
-  chart.series = {nodes, mean, low, high};
-  const auto curve = [&](const std::string& name, const continuum::LengthOfFraction& length) {
-    ExperimentSeries series{.name = name, .role = ExperimentSeries::Role::predicted, .x = {}, .y = {}};
-    for (int k = 0; k <= 60; ++k) {
-      const double fraction = from + (to - from) * k / 60;
-      series.x.push_back(fraction);
-      series.y.push_back(1e3 * length(fraction));
-    }
-    chart.series.push_back(series);
-  };
+  chart.series = {some_nodes(points), mean, low, high};
   if (to > from) {
-    curve("Eq. 5.6, fitted", fitted);
-    curve("Eq. 5.6, published", continuum::LengthOfFraction{});
+    chart.series.push_back(length_curve("Eq. 5.6, fitted", fitted, from, to));
+    chart.series.push_back(length_curve("Eq. 5.6, published", continuum::LengthOfFraction{}, from, to));
   }
   return chart;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "process/laboratory/endless_ground.h"
 #include "process/laboratory/flow/field_mean.h"
 #include "process/measure/measure.h"
 #include "process/powder/material.h"
@@ -96,14 +97,6 @@ std::vector<results::ToolState> tools_of(const HopperSetup& setup,
       for (const double at : {-x, x}) sides.centres.emplace_back(at, y, z);
   add(sides);
   return tools;
-}
-
-/// No tool in the way of the pour, and ground everywhere.
-Tooling open_ground(const Scene& scene) {
-  Tooling tooling;
-  tooling.standing.include(scene.pour.lower - Eigen::Vector3d::Ones());
-  tooling.standing.include(scene.pour.upper + Eigen::Vector3d::Ones());
-  return tooling;
 }
 
 void settle(engine::Simulation& simulation, double grain_diameter) {
@@ -239,7 +232,7 @@ HopperFields run_hopper(const HopperSetup& setup, const std::function<void(doubl
   settings.threads = setup.threads;
   const auto walls = walls_of(setup, margin);
   engine::Simulation simulation(settings, walls);
-  simulation.add_grains(pour(scene, settings, open_ground(scene)));
+  simulation.add_grains(pour(scene, settings, endless_ground(scene)));
   settle(simulation, d);
   Flow flow(setup, simulation, tools_of(setup, walls, margin));
   open_slit(simulation);

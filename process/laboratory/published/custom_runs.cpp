@@ -11,6 +11,7 @@
 #include "engine/numerics/thread_pool.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/hashed_file.h"
+#include "process/results/studies/job_list.h"
 #include "process/run/byte_stream.h"
 #include "process/run/fill_run.h"
 #include "process/tooling/progress.h"
@@ -24,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 constexpr const char *kResult = "result.json", *kCheckpoint = "checkpoint.bin";
 
 fs::path folder_of(const fs::path& directory, const CustomRun& run, std::uint64_t seed) {
-  return directory / run.name / ("seed-" + std::to_string(seed));
+  return directory / results::job_folder(run.name, seed);
 }
 
 /// s of processor time of this thread.

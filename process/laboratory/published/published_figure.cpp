@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "process/input/scene_error.h"
 #include "process/laboratory/published/csv_rows.h"
 
 namespace diefill::process::laboratory {
@@ -35,6 +36,15 @@ std::vector<PublishedFigure> read_published_figures(const std::filesystem::path&
   for_each_row(file, kColumns, MissingFile::error,
                [&](const auto& fields, const auto& where) { figures.push_back(figure_of(fields, where)); });
   return figures;
+}
+
+void require_figures(const std::vector<PublishedFigure>& figures, const std::vector<std::string>& ids,
+                     const std::filesystem::path& file) {
+  for (const std::string& id : ids)
+    if (std::none_of(figures.begin(), figures.end(), [&](const auto& figure) { return figure.id == id; }))
+      throw SceneError(file.string() + ": id: found no row " + id +
+                       ", with which the experiment's result is compared; add it, or leave --scenes out for "
+                       "the file that comes with the program");
 }
 
 const PublishedFigure& figure_called(const std::vector<PublishedFigure>& figures, const std::string& id) {

@@ -21,6 +21,10 @@ struct PublishedFigure {
 /// All of a file, in its order. Throws SceneError, naming the line, for a file that is missing or wrong.
 std::vector<PublishedFigure> read_published_figures(const std::filesystem::path& file);
 
+/// Throws SceneError for the first of `ids` that `figures`, read from `file`, lack.
+void require_figures(const std::vector<PublishedFigure>& figures, const std::vector<std::string>& ids,
+                     const std::filesystem::path& file);
+
 /// The figure of that id. Throws std::out_of_range where there is none.
 const PublishedFigure& figure_called(const std::vector<PublishedFigure>& figures, const std::string& id);
 

@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "engine/simulation/simulation.h"
 #include "process/laboratory/stability/profile_walls.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"

@@ -7,6 +7,7 @@
 #include "engine/limits/law_probe.h"
 #include "engine/powder/periodic_box.h"
 #include "engine/powder/rigid_motion.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::process::laboratory {
 

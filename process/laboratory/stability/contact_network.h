@@ -1,7 +1,9 @@
 // Touching grains as a network of linear springs: its fastest oscillation is what a time step must resolve.
 #pragma once
 
-#include "engine/simulation/simulation.h"
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
 
 namespace diefill::process::laboratory {
 

@@ -4,6 +4,7 @@
 #include <random>
 #include <string>
 
+#include "engine/simulation/simulation.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
 

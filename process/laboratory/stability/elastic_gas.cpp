@@ -4,6 +4,7 @@
 #include <random>
 
 #include "engine/observe/energy_balance.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::process::laboratory {
 

@@ -2,6 +2,8 @@
 // is too long (Hu 2024, section 4.4; there periodic along all three axes).
 #pragma once
 
+#include "engine/powder/new_grain.h"
+#include "engine/simulation/settings.h"
 #include "process/laboratory/stability/trial.h"
 
 namespace diefill::process::laboratory {

@@ -1,6 +1,7 @@
 #include "process/laboratory/stability/pair_collision.h"
 
 #include "engine/observe/energy_balance.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::process::laboratory {
 

@@ -1,7 +1,7 @@
 // Two grains that meet head-on in empty space.
 #pragma once
 
-#include "engine/simulation/simulation.h"
+#include "engine/simulation/settings.h"
 
 namespace diefill::process::laboratory {
 

@@ -6,6 +6,7 @@
 
 #include "engine/limits/time_step.h"
 #include "engine/numerics/out_of_range.h"
+#include "engine/simulation/simulation.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
 #include "process/laboratory/stability/undamped_bed.h"

@@ -22,7 +22,7 @@ const std::vector<Experiment>& stability_experiments() {
       {"piston", "at which gain does a force-controlled piston oscillate?", find_piston_limit},
       {"fluid", "which time steps, densities and shear rates keep the temperature of a DPD fluid?",
        find_fluid_limit},
-      {"cavity", "how coarse may grains be for a narrow cavity?", find_cavity_limit, true},
+      {"cavity", "how coarse may grains be for a narrow cavity?", find_cavity_limit, {"M03"}},
       {"stiffness", "how soft may grains be?", find_stiffness_limit},
       {"step_effect", "what is the effect of a longer time step on a settled bed?", find_effect_of_step},
       {"step_flow", "what is the effect of a longer time step on discharge and heaps?",

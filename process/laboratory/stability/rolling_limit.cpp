@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/simulation/simulation.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
 

@@ -5,6 +5,7 @@
 
 #include "engine/observe/energy_balance.h"
 #include "engine/powder/rigid_motion.h"
+#include "engine/simulation/simulation.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
 

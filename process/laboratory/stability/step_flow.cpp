@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/limits/validity_monitor.h"
+#include "engine/simulation/simulation.h"
 #include "process/input/scene_error.h"
 #include "process/laboratory/stability/profile_walls.h"
 #include "process/laboratory/stability/registry.h"

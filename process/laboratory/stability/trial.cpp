@@ -8,6 +8,7 @@
 
 #include "engine/numerics/out_of_range.h"
 #include "engine/observe/energy_balance.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::process::laboratory {
 

@@ -1,17 +1,23 @@
-// What the experiments on stability share: searching a limit by bisection, the powders they are made with and
-// the energy that appears from nowhere.
+// Shared by the experiments on stability: the search for a limit by bisection, their powders and contacts,
+// and the energy that no work explains.
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "engine/laws/bierwisch_law.h"
-#include "engine/simulation/simulation.h"
+#include "engine/powder/particle_types.h"
+#include "engine/walls/walls.h"
+
+namespace diefill::engine {
+class Simulation;
+}  // namespace diefill::engine
 
 namespace diefill::process::laboratory {
 
-/// Largest value at which `holds` is true, to within a factor of 1 + `precision`, by bisecting the logarithm
-/// between `lower` and `upper`; the end itself where the answer is the same all the way. The answer must
-/// change once.
+/// Largest value between `lower` and `upper` at which `holds` is true, to within a factor of 1 + `precision`,
+/// by bisection of its logarithm. `holds` may change once, from true to false; where it does not, the result
+/// is `upper` (true throughout) or `lower` (false throughout).
 double largest_that_holds(double lower, double upper, double precision,
                           const std::function<bool(double)>& holds);
 
@@ -44,10 +50,10 @@ double rayleigh_time(double radius, double density, double reduced_modulus);
 double collision_time(const engine::GrainShape& shape, const engine::ContactParameters& contact,
                       double speed);
 
-/// Energy (J) that came from nowhere in `steps` steps, over `scale` (J): twice what the ledger does not
-/// explain in the mean over the last quarter of the run less that over the second, so that the steady offset
-/// between the energy of velocity Verlet and the true one does not count as growth. Infinite where the powder
-/// left all bounds or gained more than `scale`.
+/// Growth of the energy that no work explains (J) in `steps` steps, over `scale` (J): twice the difference
+/// between its means over the last and over the second quarter of the run, so that the constant offset of
+/// velocity Verlet's energy from the true one does not count. Infinite where the powder left all bounds or
+/// gained more than `scale`.
 double spurious_energy(engine::Simulation& simulation, long steps, double scale);
 
 }  // namespace diefill::process::laboratory

@@ -5,6 +5,7 @@
 
 #include "engine/limits/time_step.h"
 #include "engine/observe/energy_balance.h"
+#include "engine/simulation/simulation.h"
 #include "process/laboratory/stability/contact_network.h"
 
 namespace diefill::process::laboratory {

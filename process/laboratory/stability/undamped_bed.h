@@ -1,6 +1,8 @@
 // A dense bed at rest under gravity, then set in motion without dissipation.
 #pragma once
 
+#include "engine/powder/new_grain.h"
+#include "engine/simulation/settings.h"
 #include "process/laboratory/stability/trial.h"
 
 namespace diefill::process::laboratory {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/limits/time_step.h"
+#include "engine/simulation/simulation.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
 #include "process/laboratory/stability/undamped_bed.h"

@@ -5,6 +5,7 @@
 
 #include "engine/limits/time_step.h"
 #include "engine/limits/validity_monitor.h"
+#include "engine/simulation/simulation.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
-#include "engine/simulation/simulation.h"
+#include "engine/simulation/settings.h"
+#include "engine/walls/walls.h"
 #include "process/laboratory/stability/trial.h"
 
 namespace diefill::process::laboratory {

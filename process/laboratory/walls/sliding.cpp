@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/simulation/simulation.h"
 #include "process/laboratory/walls/level_wall.h"
 #include "process/laboratory/walls/registry.h"
 

@@ -1,22 +1,15 @@
 #include "process/measure/figures/line_fit.h"
 
 #include <cmath>
-#include <numeric>
+
+#include "process/results/studies/mean.h"
 
 namespace diefill::process {
-
-namespace {
-
-double mean_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-}  // namespace
 
 FittedLine fit_line(const std::vector<double>& x, const std::vector<double>& y) {
   if (x.size() < 2) return {};
   // About the means, so that no digits are lost.
-  const double mean_x = mean_of(x), mean_y = mean_of(y);
+  const double mean_x = results::mean_of(x), mean_y = results::mean_of(y);
   double xx = 0, xy = 0, yy = 0;
   for (std::size_t k = 0; k < x.size(); ++k) {
     xx += (x[k] - mean_x) * (x[k] - mean_x);

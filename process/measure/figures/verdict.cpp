@@ -49,10 +49,6 @@ PartMean mean_of(const results::FillResult& result, const CavityPart& part,
   return found;
 }
 
-std::string percent(double ratio) {
-  return results::at_decimals(100 * ratio, 0) + " %";
-}
-
 /// "90 % full: 3.12 g of the 3.43 g that ...".
 std::string filling(const results::FillResult& result) {
   const double ratio = value(result, "fill_ratio"), mass = value(result, "expected_mass_kg");
@@ -66,8 +62,10 @@ std::string filling(const results::FillResult& result) {
            "fill ratio unknown: " + results::reason_for(result, "fill_ratio");
   }
   if (results::is_full(ratio))
-    return "full (" + percent(ratio) + "): " + holds + ", a die full at apparent density holds " + full;
-  return percent(ratio) + " full: " + holds + " of the " + full + " of a die full at apparent density";
+    return "full (" + results::whole_percent(ratio) + "): " + holds +
+           ", a die full at apparent density holds " + full;
+  return results::whole_percent(ratio) + " full: " + holds + " of the " + full +
+         " of a die full at apparent density";
 }
 
 /// The part where the profile "fill level" stands lowest; empty where it is level.

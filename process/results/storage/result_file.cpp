@@ -113,13 +113,21 @@ std::string earlier_image(const std::filesystem::path& path) {
   return file_image(described_in(file, path), {});
 }
 
+/// Why there is no results file.
+std::string absence(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::exists(path.parent_path() / "checkpoint.bin", error))
+    return path.string() +
+           ": no results yet: the run in this directory has not reached its end; wait if it is running, else "
+           "continue it with diefill run --resume";
+  return path.string() + ": no such results file; run the scene first or give another directory";
+}
+
 FillResult read_checked(const std::filesystem::path& path) {
   std::error_code error;
   if (const auto directory = path.parent_path(); std::filesystem::is_regular_file(directory, error))
     throw ResultError(directory.string() + ": is a file; give the directory that holds results.h5");
-  if (!std::filesystem::is_regular_file(path, error))
-    throw ResultError(path.string() +
-                      ": no such results file; run the scene first or give another directory");
+  if (!std::filesystem::is_regular_file(path, error)) throw ResultError(absence(path));
   if (ends_in_hash(path)) {
     const auto contents = read_hashed(path);
     if (!contents)

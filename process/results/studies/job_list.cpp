@@ -31,6 +31,10 @@ JobList from_json(const Json& json) {
 
 }  // namespace
 
+std::string job_folder(const std::string& of_variant, std::uint64_t seed) {
+  return of_variant + "/seed-" + std::to_string(seed);
+}
+
 std::filesystem::path job_list_file(const std::filesystem::path& directory) {
   return directory / "jobs.json";
 }

@@ -22,6 +22,9 @@ struct JobList {
   std::vector<Job> jobs;
 };
 
+/// Folder of a run with `seed` in the folder `of_variant`; both relative to the comparison's directory.
+std::string job_folder(const std::string& of_variant, std::uint64_t seed);
+
 /// `directory`/jobs.json.
 std::filesystem::path job_list_file(const std::filesystem::path& directory);
 

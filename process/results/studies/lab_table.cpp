@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "process/results/csv_field.h"
@@ -10,6 +11,7 @@
 #include "process/results/json_numbers.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/result_file.h"
+#include "process/results/studies/mean.h"
 
 namespace diefill::results {
 
@@ -78,10 +80,7 @@ std::string csv_of(const LabTable& table) {
 }  // namespace
 
 double mean_of(const LabRow& row) {
-  if (row.values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  double sum = 0;
-  for (const double value : row.values) sum += value;
-  return sum / static_cast<double>(row.values.size());
+  return mean_of(row.values);
 }
 
 double scatter_of(const LabRow& row) {

@@ -63,13 +63,14 @@ void refuse_endless_flight(const TableReader& document, const Scene& scene) {
 
 }  // namespace
 
-Scene scene_of(toml::table& parsed, const std::string& text, const std::filesystem::path& file) {
+Scene scene_of(toml::table& parsed, const std::string& text, const std::filesystem::path& file,
+               const WrittenKeys& written) {
   const toml::table empty;
   const bool stands_in_two_files = merge_powder_file(parsed, file);
   const std::string stated =
       stands_in_two_files ? as_comment(chosen_numbers_in(text)) + scene_text_of(parsed) : text;
   apply_graded_pour(parsed, file);
-  TableReader document(parsed, file, "");
+  TableReader document(parsed, file, "", &written);
   Scene scene;
   scene.file = file;
   scene.text = stated;

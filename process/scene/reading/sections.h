@@ -11,8 +11,9 @@ namespace diefill::process {
 
 /// The scene in a parsed document; `text` and `file` are kept in it, and `file` stands in messages. Where its
 /// powder stands in a file of its own (powder_file.h) the document takes it over, and the scene's text is
-/// that of the whole document.
-Scene scene_of(toml::table& parsed, const std::string& text, const std::filesystem::path& file);
+/// that of the whole document. Messages name values of changes (`written`) as the changes do.
+Scene scene_of(toml::table& parsed, const std::string& text, const std::filesystem::path& file,
+               const WrittenKeys& written = {});
 
 /// `coarse_graining` of [powder]; to be read before the rest, which rejects keys that were not requested.
 CoarseGraining read_coarse_graining(TableReader& table);

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "project_paths.h"
-#include "tests/app/small_die.h"
+#include "tests/app/shared_report.h"
 
 namespace diefill::app {
 namespace {
@@ -22,16 +22,16 @@ std::string faults(const std::filesystem::path& page, const std::filesystem::pat
 
 TEST(View, EveryControlWorksInABrowserThatAsksNobody) {
   const SmallDie die;
-  die.write("scene.toml", contents(die.scene()) + "snapshot_interval = \"40 ms\"\n");
-  ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 0);
+  die.write("scene.toml", contents(die.scene()) + "snapshot_interval = \"100 ms\"\n");
+  take_shared_results(die);
   ASSERT_EQ(run_program({"report", die.out().string()}).exit_code, 0);
   EXPECT_EQ(faults(die.out() / "report.html", die.folder()), "");
 }
 
 TEST(View, RunsOfAComparisonStandSideBySideUnderOneCamera) {
   const SmallDie die;
-  die.write("scene.toml", contents(die.scene()) + "snapshot_interval = \"40 ms\"\n");
-  ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 0);
+  die.write("scene.toml", contents(die.scene()) + "snapshot_interval = \"100 ms\"\n");
+  take_shared_results(die);
   const auto page = die.folder() / "compared.html";
   die.exchange("velocity = \"0.1 m/s\"", "velocity = \"0.3 m/s\"");
   const auto fast = (die.folder() / "fast").string();

@@ -94,6 +94,21 @@ TEST(Bench, TimesASceneUnderWay) {
   EXPECT_EQ(SmallDie::files_in(die.out()), files);
 }
 
+// Clumps of seven spheres beside single spheres.
+TEST(Bench, CountsTheSpheresOfEachGrainWhereShapesAreMixed) {
+  SmallDie die;
+  die.exchange("preset = \"ASC100.29 A2\"", "preset = \"ASC100.29 D2\"");
+  die.exchange("[[tool]]\nname = \"die\"",
+               "[[other_powder]]\nname = \"copper\"\nshare = 0.3\nmodel = \"A\"\nsphere_radius = \"0.1 "
+               "mm\"\ngrain_mass = \"2.6e-8 kg\"\ngrain_diameter = \"0.9 mm\"\nreduced_modulus = \"3 "
+               "MPa\"\nfriction = 0.2\n\n[[tool]]\nname = \"die\"");
+  ASSERT_EQ(die.run({"--no-pictures", "--quiet", "--set", "numerics.max_time = \"0.002 s\""}).exit_code, 4);
+  const Outcome outcome = run_program({"bench", die.scene().string(), "--state", die.out().string(),
+                                       "--steps", "5", "--threads", "1", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["spheres"], die.report().at("spheres"));
+}
+
 TEST(Bench, ScenesNeedACheckpointAndNoWordsOfBeds) {
   SmallDie die;
   const auto refusal = [&](const std::vector<std::string>& more) {

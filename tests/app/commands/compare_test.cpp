@@ -108,6 +108,26 @@ TEST(Compare, ARunWhoseTimeIsOverIsNoResultYet) {
   EXPECT_EQ(comparison_of(die.out()).at("runs").at(0).at("exit_code"), 4);
 }
 
+TEST(Compare, DrawsItsRunsUnlessToldNotTo) {
+  const SmallDie die;
+  die.exchange_passage("[[step]]\nkind = \"wait\"\nduration = \"1 ms\"\n");
+  const auto drawn_by = [&](const std::string& name, std::vector<std::string> more) {
+    const auto out = die.folder() / name;
+    more.insert(more.begin(), {"compare", die.scene().string(), "--out", out.string(), "--quiet"});
+    const Outcome outcome = run_program(more);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto run = out / comparison_of(out).at("runs").at(0).at("folder").get<std::string>();
+    EXPECT_TRUE(std::filesystem::exists(run / "results.h5"));
+    return std::filesystem::exists(run / "snapshot.png");
+  };
+  EXPECT_TRUE(drawn_by("drawn", {}));
+  EXPECT_FALSE(drawn_by("not drawn", {"--no-pictures"}));
+  const Outcome collected =
+      run_program({"compare", "--collect", (die.folder() / "drawn").string(), "--no-pictures"});
+  EXPECT_EQ(collected.exit_code, 2);
+  EXPECT_EQ(collected.complaints(), 1U) << collected.err;
+}
+
 TEST(Compare, ChecksEveryVariantBeforeAnythingRuns) {
   const SmallDie die;
   add_variants(die, "\n[[variant]]\nname = \"wrong\"\nstep.1.velocty = \"1 m/s\"\n");
@@ -183,14 +203,16 @@ name = "poured"
 )";
   die.exchange("[numerics]", "[[step]]" + shaken + "\n[numerics]");
   die.write("scene.toml", contents(die.scene()) + variants);
-  const Outcome compared = run_program({"compare", die.scene().string(), "--out", die.out().string()});
+  const Outcome compared =
+      run_program({"compare", die.scene().string(), "--out", die.out().string(), "--no-pictures"});
   ASSERT_EQ(compared.exit_code, 0) << compared.err;
   EXPECT_FALSE(std::filesystem::exists(die.out() / "beginnings"));
 
   std::vector<double> taken_over;  // s
   for (const std::string folder : {"fast", "faster", "slow_shoe", "shaken_twice", "watched"}) {
     const auto there = die.out() / folder / "seed-1", alone = die.folder() / folder;
-    const Outcome run = run_program({"run", (there / "scene.toml").string(), "--out", alone.string()});
+    const Outcome run =
+        run_program({"run", (there / "scene.toml").string(), "--out", alone.string(), "--no-pictures"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     for (const char* key : {"state_hash", "steps", "simulated_s", "filled_mass_kg", "energy_balance_error"})
       EXPECT_EQ(report_in(there).at(key), report_in(alone).at(key)) << folder << ' ' << key;

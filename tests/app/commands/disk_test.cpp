@@ -35,7 +35,7 @@ TEST(FullDisk, KeepsEarlierResultsAndLetsTheRunBeFinishedLater) {
             (std::vector<std::string>{"checkpoint.bin", "live.html", "previous-1"}));
 
   // With room again the run is finished from there, and another seed has given another packing.
-  const Outcome resumed = die.run({"--resume"});
+  const Outcome resumed = die.run({"--resume", "--no-pictures"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   EXPECT_NE(die.report().at("state_hash"), state_before);
 }
@@ -60,7 +60,7 @@ std::string full_then_enlarged(const SmallDie& die, std::uintmax_t kilobytes) {
   const std::string size = std::to_string(kilobytes),
                     mount = "mount -t tmpfs -o size=" + size + "k none " + out;
   const std::string run = std::string(DIEFILL_PROGRAM) + " run " + die.scene().string() + " --out " + out +
-                          " --threads 1 --quiet --resume";
+                          " --threads 1 --quiet --no-pictures --resume";
   const bool can_mount = std::system(("unshare -rm " + mount + " 2>/dev/null").c_str()) == 0;
   const std::string limit = can_mount ? mount : "trap '' XFSZ; ulimit -f " + std::to_string(2 * kilobytes);
   const std::string enlarge = can_mount ? "mount -o remount,size=64m " + out : ":";
@@ -75,7 +75,7 @@ TEST(FullDisk, OfASmallFileSystemLosesNothingAndTheResumedRunEndsAlike) {
   const SmallDie die, other;
   for (const SmallDie* each : {&die, &other})
     each->exchange("velocity = \"0.1 m/s\"", "velocity = \"0.2 m/s\"");
-  ASSERT_EQ(other.run({"--quiet"}).exit_code, 0);
+  ASSERT_EQ(other.run({"--quiet", "--no-pictures"}).exit_code, 0);
   std::filesystem::create_directories(die.out());
   const auto results = std::filesystem::file_size(other.out() / "results.h5");
   const int status = std::system(full_then_enlarged(die, results / 1024).c_str());

@@ -18,7 +18,7 @@ struct Economical : SmallDie {
     exchange("[numerics]", "[economy]\n" + lines + "\n\n[numerics]");
   }
   nlohmann::json filled() const {
-    const Outcome outcome = run();
+    const Outcome outcome = run({"--no-pictures"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return report();
   }
@@ -83,12 +83,12 @@ TEST(Economy, PowderIsNotCarriedWhereThatWouldBeWrong) {
 void expect_restart_ends_alike(const std::string& lines) {
   const Economical unbroken(lines), broken(lines);
   const auto expected = unbroken.filled();
-  Program program(broken.run_arguments());
+  Program program(broken.run_arguments({"--no-pictures"}));
   while (program.running() && !std::filesystem::exists(broken.out() / "checkpoint.bin")) {
   }
   program.send(SIGKILL);
   program.wait();
-  const Outcome outcome = broken.run({"--resume"});
+  const Outcome outcome = broken.run({"--resume", "--no-pictures"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* key : {"state_hash", "filled_mass_kg", "steps", "sphere_steps_left_out"})
     EXPECT_EQ(broken.report().at(key), expected.at(key)) << key;
@@ -170,8 +170,8 @@ TEST(Suction, IsTheSameOnAnyNumberOfThreadsAndSaysWhatItTakesFor) {
   die.exchange("[numerics]", "[suction]\ntool = \"shoe\"\nparticle_diameter = \"0.1 mm\"\n\n[numerics]");
   std::vector<std::string> hashes;
   for (const char* threads : {"1", "2"}) {
-    const Outcome outcome =
-        run_program({"run", die.scene().string(), "--out", die.out().string(), "--threads", threads});
+    const Outcome outcome = run_program(
+        {"run", die.scene().string(), "--out", die.out().string(), "--no-pictures", "--threads", threads});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     hashes.push_back(die.report().at("state_hash").get<std::string>());
   }

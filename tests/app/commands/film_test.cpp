@@ -7,20 +7,20 @@
 #include <iterator>
 #include <thread>
 
-#include "tests/app/small_die.h"
+#include "tests/app/shared_report.h"
 
 namespace diefill::app {
 namespace {
 
-/// Runs the scene with instants: few, because each frame is drawn at full size, whatever the film's width.
-Outcome run_with_instants(const SmallDie& die) {
-  die.write("scene.toml", contents(die.scene()) + "snapshot_interval = \"40 ms\"\n");
-  return die.run({"--quiet", "--no-pictures"});
+/// Results with instants: few, because each frame is drawn at full size, whatever the film's width.
+void take_results_with_instants(const SmallDie& die) {
+  die.write("scene.toml", contents(die.scene()) + "snapshot_interval = \"100 ms\"\n");
+  take_shared_results(die);
 }
 
 TEST(Film, DrawsEveryInstantAndTheEnd) {
   const SmallDie die;
-  ASSERT_EQ(run_with_instants(die).exit_code, 0);
+  take_results_with_instants(die);
   const Outcome outcome = run_program({"film", die.out().string(), "--keep-frames", "--width", "400",
                                        "--tools", "translucent", "--colour-by", "speed", "--jobs", "2"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -39,7 +39,7 @@ TEST(Film, DrawsEveryInstantAndTheEnd) {
 /// Results with instants, and what is in their folder.
 class Filmed : public testing::Test {
  protected:
-  Filmed() { EXPECT_EQ(run_with_instants(die_).exit_code, 0); }
+  Filmed() { take_results_with_instants(die_); }
   std::vector<std::string> arguments(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> all = {
         "film", die_.out().string(), "--width", "400", "--out", (die_.folder() / "my.mp4").string(), "--jobs",

@@ -10,7 +10,7 @@
 
 #include "process/results/storage/result_file.h"
 #include "project_paths.h"
-#include "tests/app/small_die.h"
+#include "tests/app/shared_report.h"
 
 namespace diefill::app {
 namespace {
@@ -45,7 +45,7 @@ class Keeping : public testing::Test {
 };
 
 TEST_F(Keeping, ASecondRunIntoADirectoryIsRefusedInOneLineAndTouchesNothing) {
-  Program first(die_.run_arguments({"--quiet"}));
+  Program first(die_.run_arguments({"--quiet", "--no-pictures"}));
   wait_for(first, die_.out() / ".diefill-lock");
   const Outcome second = die_.run({"--quiet"});
   EXPECT_EQ(second.exit_code, 2);
@@ -63,7 +63,7 @@ TEST_F(Keeping, ARunAnewKeepsTheEarlierResultsAside) {
   const auto files_before = SmallDie::files_in(die_.out());
   die_.write("out/photo.png", "photo");
   die_.exchange("seed = 1", "seed = 2");
-  const Outcome outcome = die_.run({"--quiet"});
+  const Outcome outcome = die_.run({"--quiet", "--no-pictures"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("were moved to " + (die_.out() / "previous-1").string()), std::string::npos)
       << outcome.err;
@@ -119,8 +119,11 @@ TEST_F(Keeping, WhereTheTimeIsOverResultsStandAndALargerTimeGoesOn) {
   ASSERT_EQ(unbroken.run({"--quiet", "--no-pictures"}).exit_code, 0);
   EXPECT_EQ(unbroken.report().at("finished"), true);
   die_.exchange("[numerics]", "[numerics]\nmax_time = \"30 ms\"");
-  for (const char* resume : {"--no-pictures", "--resume"}) {  // the second time nothing is left to do
-    const Outcome over = die_.run({"--quiet", resume});
+  using Words = std::vector<std::string>;
+  // The second time nothing is left to do.
+  for (const Words& more :
+       {Words{"--quiet", "--no-pictures"}, Words{"--quiet", "--no-pictures", "--resume"}}) {
+    const Outcome over = die_.run(more);
     EXPECT_EQ(over.exit_code, 4);
     EXPECT_EQ(over.complaints(), 1U) << over.err;
     EXPECT_NE(over.err.find("numerics.max_time of 0.03 s"), std::string::npos) << over.err;
@@ -160,7 +163,7 @@ TEST_F(Keeping, TemporaryFilesOfAKilledRunGoWithTheNext) {
 }
 
 TEST_F(Keeping, OutputThatDoesNotGetToItsPlaceIsAnError) {
-  ASSERT_EQ(die_.run({"--quiet", "--no-pictures"}).exit_code, 0);
+  take_shared_results(die_);
   const std::string said = (die_.folder() / "said").string();
   for (const std::string& words : {"info " + die_.out().string(), std::string("--help")}) {
     const std::string command =
@@ -173,7 +176,7 @@ TEST_F(Keeping, OutputThatDoesNotGetToItsPlaceIsAnError) {
 
 /// Reading takes no lock, so that a program which holds one, such as ParaView, is in nobody's way.
 TEST_F(Keeping, LockedResultsCanBeRead) {
-  ASSERT_EQ(die_.run({"--quiet", "--no-pictures"}).exit_code, 0);
+  take_shared_results(die_);
   const std::string commands = std::string(DIEFILL_PROGRAM) + " info " + die_.out().string() + " && " +
                                DIEFILL_PROGRAM + " export " + die_.out().string();
   const std::string locked =

@@ -57,6 +57,21 @@ TEST(Lab, WithoutPublishedFiguresNothingIsComputed) {
   }
 }
 
+TEST(Lab, WithoutOneOfItsPublishedFiguresNothingIsComputed) {
+  const support::TemporaryFolder folder;
+  const auto out = folder.path() / "out";
+  folder.write("published_figures.csv",
+               "id,source,section,model,setting,quantity,unit,published,lower,upper,kind,place,experiment\n"
+               "M02,,,,,,,,,,,,\n");
+  const Outcome outcome = run_program(
+      {"lab", "stability", "cavity", "--quick", "--scenes", folder.path().string(), "--out", out.string()});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("published_figures.csv: id: found no row M03"), std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 TEST(Lab, ThePathOfAPowderMayHoldQuotesAndBackslashes) {
   for (const std::string name : {"a\"b.toml", "a\\tb.toml"}) {
     const support::TemporaryFolder folder;

@@ -1,10 +1,14 @@
 // diefill plan, and settings of diefill run and check, as a user meets them.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "project_paths.h"
 #include "tests/app/commands/variants.h"
+#include "tests/app/shared_report.h"
 
 namespace diefill::app {
 namespace {
@@ -28,9 +32,44 @@ TEST(Plan, SaysWhatASampleSceneNeeds) {
   EXPECT_NE(outcome.out.find("expected error"), std::string::npos) << outcome.out;
 }
 
+/// Plans the small die twice with a place of its own for pilots that are kept; gives both plans, and how long
+/// they took in s, to all tests: a pilot takes ten seconds.
+nlohmann::json planned_twice(const SmallDie& die) {
+  const auto kept = shared_folder(die, "plans", [&](const std::filesystem::path& folder) {
+    const char* before = std::getenv("XDG_CACHE_HOME");
+    const std::string was = before == nullptr ? "" : before;
+    setenv("XDG_CACHE_HOME", folder.c_str(), 1);
+    nlohmann::json plans;
+    for (const char* name : {"first", "second"}) {
+      const auto began = std::chrono::steady_clock::now();
+      plans[name] = plan(die, {"--minutes", "10", "--error", "0.05", "--threads", "1"});
+      plans[std::string(name) + "_s"] =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    }
+    if (before == nullptr)
+      unsetenv("XDG_CACHE_HOME");
+    else
+      setenv("XDG_CACHE_HOME", was.c_str(), 1);
+    std::ofstream(folder / "plans.json") << plans;
+  });
+  return nlohmann::json::parse(contents(kept / "plans.json"));
+}
+
+// What belongs to another computation: process.KeptPilot.
+TEST(Plan, KeepsItsPilotSoThatASecondPlanIsQuick) {
+  const auto plans = planned_twice(SmallDie());
+  EXPECT_LT(plans.at("second_s"), plans.at("first_s"));  // no pilot, and no beds of several sizes
+  const auto &first = plans.at("first").at("pilot"), &second = plans.at("second").at("pilot");
+  EXPECT_TRUE(first.at("kept_since").is_null());
+  EXPECT_FALSE(second.at("kept_since").is_null());
+  EXPECT_EQ(plans.at("first").at("choices"), plans.at("second").at("choices"));
+  EXPECT_GT(first.at("processor_share").get<double>(), 0);
+  EXPECT_LE(first.at("processor_share").get<double>(), 1);
+}
+
 TEST(Plan, CountsWhatTheRunThenHas) {
   const SmallDie die;
-  const auto json = plan(die, {"--minutes", "10", "--error", "0.05"});
+  auto json = planned_twice(die).at("first");
   ASSERT_EQ(json["choices"].size(), 4U);
   const auto& own = json["choices"][0];
   EXPECT_NEAR(json["needs"]["narrowest_width_m"].get<double>(), 4e-3, 1e-4);
@@ -52,7 +91,7 @@ TEST(Plan, CountsWhatTheRunThenHas) {
 
 TEST(Plan, ASettingTakesThePlaceOfTheScenesNumbersAndTheReportSaysSo) {
   const SmallDie die;
-  const Outcome outcome = die.run({"--setting", "quick"});
+  const Outcome outcome = die.run({"--setting", "quick", "--no-pictures"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("setting quick"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("replacing \"1 mm\""), std::string::npos) << outcome.err;

@@ -88,7 +88,7 @@ velocity = "0.2 m/s"
 TEST(ValidRange, PowderThatRunsOutBeneathTheCavityIsSpokenOf) {
   const SmallDie die;
   close_late(die);
-  const Outcome outcome = die.run();
+  const Outcome outcome = die.run({"--no-pictures"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const nlohmann::json report = die.report();
   EXPECT_GT(report.at("grains_left").get<double>(), 0);
@@ -100,7 +100,7 @@ TEST(ValidRange, PowderThatRunsOutBeneathTheCavityIsSpokenOf) {
 TEST(ValidRange, BetweenComfortableAndForbiddenTheReportSaysSoOnce) {
   const SmallDie die;
   die.exchange("reduced_modulus = \"3 MPa\"", "reduced_modulus = \"0.15 MPa\"");
-  const Outcome outcome = die.run({"--quiet"});
+  const Outcome outcome = die.run({"--quiet", "--no-pictures"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const nlohmann::json report = die.report();
   int said = 0;

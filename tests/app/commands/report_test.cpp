@@ -6,7 +6,7 @@
 
 #include "process/results/figure_table.h"
 #include "process/results/storage/result_file.h"
-#include "tests/app/small_die.h"
+#include "tests/app/shared_report.h"
 
 namespace diefill::app {
 namespace {
@@ -42,7 +42,7 @@ TEST(Report, TellsAllAboutARunInOnePageThatNeedsNothingElse) {
   const SmallDie die;
   die.exchange("title = \"Small die, one passage\"",
                "title = \"<script>alert('x')</script> & \\\"die\\\" <img src=x>\"");
-  ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
+  ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 0);
   const Outcome outcome = run_program({"report", die.out().string(), "--pdf"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out,
@@ -84,7 +84,7 @@ TEST(Report, HoldsRunsAgainstTheFirstAndTakesSeedsTogether) {
   const SmallDie die;
   const auto run = [&](const std::string& name) {
     return run_program({"run", die.scene().string(), "--out", (die.folder() / name).string(), "--threads",
-                        "1", "--quiet"})
+                        "1", "--quiet", "--no-pictures"})
         .exit_code;
   };
   ASSERT_EQ(run("slow"), 0);
@@ -110,7 +110,7 @@ TEST(Report, HoldsRunsAgainstTheFirstAndTakesSeedsTogether) {
 
 TEST(Report, TakesTheRunsOfAComparisonByTheirVariants) {
   const SmallDie die;
-  ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
+  take_shared_results(die);
   die.write("comparison.json", R"({"runs": [{"variant": "as <it> is", "seed": 1, "folder": "out"},
     {"variant": "again", "seed": 1, "folder": "out"}, {"variant": "again", "seed": 2, "folder": "lost"}]})");
   const Outcome outcome = run_program({"report", die.folder().string()});
@@ -124,7 +124,7 @@ TEST(Report, TakesTheRunsOfAComparisonByTheirVariants) {
 
 TEST(Report, ACopyOfResultsIsNoSecondSeed) {
   const SmallDie die;
-  ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
+  take_shared_results(die);
   const auto copy = die.folder() / "copy of out";
   std::filesystem::copy(die.out(), copy, std::filesystem::copy_options::recursive);
   for (const char* command : {"report", "map"}) {

@@ -4,10 +4,9 @@
 #include <chrono>
 #include <csignal>
 #include <functional>
-#include <random>
 #include <thread>
 
-#include "process/results/storage/result_file.h"
+#include "tests/app/random_kills.h"
 #include "tests/app/small_die.h"
 
 namespace diefill::app {
@@ -39,12 +38,6 @@ std::string checkpoint_now(const SmallDie& die) {
   }
 }
 
-void expect_same_end(const nlohmann::json& unbroken, const nlohmann::json& broken) {
-  for (const char* key :
-       {"state_hash", "filled_mass_kg", "steps", "simulated_s", "grains_left", "solid_fraction"})
-    EXPECT_EQ(unbroken.at(key), broken.at(key)) << key;
-}
-
 /// Sends Ctrl-C as soon as the run has begun, that is, while the powder is still falling.
 Outcome interrupted_while_falling(const SmallDie& die) {
   Program program(die.run_arguments());
@@ -57,7 +50,7 @@ Outcome interrupted_while_falling(const SmallDie& die) {
 TEST(Resume, EndsAsTheUnbrokenRunAfterStopsAndKills) {
   const SmallDie die, other;
   // No checkpoint yet: it starts from the beginning, and says so.
-  const Outcome unbroken = other.run({"--resume"});
+  const Outcome unbroken = other.run({"--resume", "--no-pictures"});
   ASSERT_EQ(unbroken.exit_code, 0) << unbroken.err;
   EXPECT_NE(unbroken.err.find("no checkpoint in " + other.out().string() + ": starting from the beginning"),
             std::string::npos)
@@ -71,51 +64,21 @@ TEST(Resume, EndsAsTheUnbrokenRunAfterStopsAndKills) {
 
   for (const int milliseconds : {0, 80, 300}) {  // killed right after a checkpoint was written, and later
     const std::string before = checkpoint_now(die);
-    Program program(die.run_arguments({"--resume"}));
+    Program program(die.run_arguments({"--resume", "--no-pictures"}));
     wait_until(program, [&] { return checkpoint_now(die) != before; });
     pause_for(milliseconds);
     program.send(SIGKILL);
     program.wait();
   }
-  const Outcome last = die.run({"--resume"});
+  const Outcome last = die.run({"--resume", "--no-pictures"});
   ASSERT_EQ(last.exit_code, 0) << last.err;
   expect_same_end(other.report(), die.report());
   EXPECT_FALSE(std::filesystem::exists(checkpoint(die)));
 }
 
-// Whatever the moment: while it starts, pours, steps, writes a checkpoint, measures or draws.
-TEST(Resume, EndsAsTheUnbrokenRunAfter25KillsAtRandomMoments) {
-  constexpr int kKills = 25;
-  const SmallDie die, other;
-  for (const SmallDie* each : {&die, &other})
-    each->exchange("velocity = \"0.1 m/s\"", "velocity = \"0.2 m/s\"");
-  const auto start = std::chrono::steady_clock::now();
-  ASSERT_EQ(other.run({"--quiet"}).exit_code, 0);
-  const auto whole = std::chrono::steady_clock::now() - start;
-  std::mt19937 random(20);
-  std::uniform_real_distribution<double> share(0.02, 0.8);
-  int kills = 0;
-  const auto expect_same_results = [&] {
-    expect_same_end(other.report(), die.report());
-    EXPECT_EQ(results::read_results(die.out()).state_hash, other.report().at("state_hash"));
-  };
-  while (kills < kKills) {
-    Program program(die.run_arguments({"--resume", "--quiet"}));
-    std::this_thread::sleep_for(share(random) * whole);
-    const bool killed = program.running();
-    program.send(SIGKILL);
-    const Outcome outcome = program.wait();
-    if (killed && outcome.signal == SIGKILL) {
-      ++kills;
-      continue;
-    }
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    expect_same_results();
-    std::filesystem::remove_all(die.out());
-  }
-  const Outcome last = die.run({"--resume", "--quiet"});
-  ASSERT_EQ(last.exit_code, 0) << last.err;
-  expect_same_results();
+// tests/slow has 25 kills.
+TEST(Resume, EndsAsTheUnbrokenRunAfterKillsAtRandomMoments) {
+  expect_same_end_after_kills(8);
 }
 
 // The stated interval is 1 s; steps of the schedule write checkpoints of their own, and here there are none.

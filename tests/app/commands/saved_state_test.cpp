@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "process/results/storage/result_file.h"
-#include "tests/app/small_die.h"
+#include "tests/app/shared_report.h"
 
 namespace diefill::app {
 namespace {
@@ -15,8 +15,7 @@ constexpr const char* kPour =
 void settle_and_go_on(const SmallDie& die, const std::string& pour) {
   die.pour_into_the_pocket();
   die.exchange_passage("");
-  const Outcome first = die.run({"--quiet", "--no-pictures"});
-  ASSERT_EQ(first.exit_code, 0) << first.err;
+  take_shared_results(die);
   std::filesystem::rename(die.out(), die.folder() / "settled");
   die.exchange(kPour, pour);
 }
@@ -81,7 +80,9 @@ TEST(SavedState, OfAnotherFileIsAnotherComputation) {
   die.exchange("seed = 1", "seed = 2");
   const std::string elsewhere = (die.folder() / "settled").string();
   die.exchange("max_time = \"1 ms\"\n", "");
-  ASSERT_EQ(run_program({"run", die.scene().string(), "--out", elsewhere, "--quiet"}).exit_code, 0);
+  ASSERT_EQ(
+      run_program({"run", die.scene().string(), "--out", elsewhere, "--quiet", "--no-pictures"}).exit_code,
+      0);
   die.exchange(kPour, "state = \"settled\"");
   die.exchange("seed = 2", "seed = 1");
   die.exchange("checkpoint_interval = \"1 s\"\n", "checkpoint_interval = \"1 s\"\nmax_time = \"5 s\"\n");
@@ -95,7 +96,8 @@ TEST(SavedState, OfOtherContentsIsAnotherRunOfAComparison) {
   die.write("scene.toml", contents(die.scene()) + "\n[[variant]]\nname = \"alone\"\n");
   const auto compared = die.folder() / "compared";
   const auto compare = [&] {
-    const Outcome outcome = run_program({"compare", die.scene().string(), "--out", compared.string()});
+    const Outcome outcome =
+        run_program({"compare", die.scene().string(), "--out", compared.string(), "--no-pictures"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return outcome.err;
   };

@@ -69,6 +69,18 @@ TEST(Setup, PowderPouredBesideTheShoeIsTold) {
   expect_says(report.at("warnings").dump(), "left the tools");
 }
 
+// 5 x 5 mm of powder 4.5 mm high are 113 mm3, the cavity's 64 mm3 are less; half of it would not fill it.
+TEST(Setup, TooLittlePowderIsToldOfBothHalvesOfAHalfModel) {
+  const SmallDie die;
+  die.exchange("fill_height = \"5 mm\"", "fill_height = \"4.5 mm\"");
+  die.exchange("[[step]]", "[economy]\nmirror = \"y\"\n\n[[step]]");
+  const Outcome enough = die.check();
+  EXPECT_EQ(enough.exit_code, 0) << enough.err;
+  EXPECT_EQ(enough.out.find("not enough to fill it"), std::string::npos) << enough.out;
+  die.exchange("fill_height = \"4.5 mm\"", "fill_height = \"2 mm\"");
+  expect_says(die.check().out, "0.05 cm3 of powder are poured, 78 % of the cavity's 0.064 cm3");
+}
+
 /// Powder that rains on the shoe before its passage.
 void let_in(const SmallDie& die, const std::string& from, const std::string& to, const std::string& rate) {
   die.exchange("[[step]]", "[[step]]\nname = \"rain\"\nkind = \"inflow\"\nfrom = " + from + "\nto = " + to +

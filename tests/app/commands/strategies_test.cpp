@@ -98,8 +98,8 @@ TEST(Strategies, GoOnAfterAKillAsIfNothingHadHappened) {
   shake(die);
   shake(other);
   ASSERT_EQ(other.run({"--quiet", "--no-pictures"}).exit_code, 0);
-  for (const int milliseconds : {1200, 1500}) {
-    Program program(die.run_arguments({"--resume", "--quiet"}));
+  for (const int milliseconds : {700, 900}) {
+    Program program(die.run_arguments({"--resume", "--quiet", "--no-pictures"}));
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
     program.send(SIGKILL);
     program.wait();
@@ -243,8 +243,8 @@ TEST(Strategies, APistonThatCyclesGoesOnAfterAKill) {
   press_in_cycles(die);
   press_in_cycles(other);
   ASSERT_EQ(other.run({"--quiet", "--no-pictures"}).exit_code, 0);
-  for (const int milliseconds : {1200, 1500}) {
-    Program program(die.run_arguments({"--resume", "--quiet"}));
+  for (const int milliseconds : {700, 900}) {
+    Program program(die.run_arguments({"--resume", "--quiet", "--no-pictures"}));
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
     program.send(SIGTERM);
     program.wait();

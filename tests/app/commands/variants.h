@@ -22,10 +22,11 @@ inline void add_variants(const SmallDie& die, const std::string& more = "") {
   die.write("scene.toml", contents(die.scene()) + kVariants + more);
 }
 
+/// Compares without pictures of the runs.
 inline std::vector<std::string> compare_arguments(const SmallDie& die,
                                                   const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments = {
-      "compare", die.scene().string(), "--out", die.out().string(), "--jobs", "2"};
+      "compare", die.scene().string(), "--out", die.out().string(), "--jobs", "2", "--no-pictures"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }

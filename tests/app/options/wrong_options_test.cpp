@@ -162,6 +162,15 @@ TEST_F(WrongOptions, CollectingTakesNoOptionsOfRuns) {
     refused({"compare", "--collect", folder, option, "2"}, {"--collect", option});
 }
 
+TEST_F(WrongOptions, CollectingACalibrationTakesNoOptionsOfRuns) {
+  const std::string folder = die_.folder().string();
+  for (const Words& option : {Words{"--resume"}, Words{"--jobs", "2"}, Words{"--threads", "2"}}) {
+    Words call = {"calibrate", "calibration.toml", "--collect", folder};
+    call.insert(call.end(), option.begin(), option.end());
+    refused(call, {"--collect", option.front()});
+  }
+}
+
 TEST(New, TakesAFolderWithASlashBehindIt) {
   const support::TemporaryFolder folder;
   for (const std::string name : {"one/", "two//", "a/three/", "four/."}) {

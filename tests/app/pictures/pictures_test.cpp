@@ -89,6 +89,34 @@ TEST_F(EveryPicture, OfProbesNamesTheColumnsThereAre) {
   EXPECT_NE(complaint({"--y", "shoe", "--picture", "map"}).find("--picture probe"), std::string::npos);
 }
 
+// The names in the help are those that load probes give to their columns.
+TEST_F(EveryPicture, OfProbesIsExplainedByColumnsThatThereAre) {
+  const std::string help = run_program({"map", "--help"}).out;
+  EXPECT_NE(help.find("--x 'press/shift z' --y 'press/force z'"), std::string::npos) << help;
+  const Outcome wrong = map({"--y", "nothing"});
+  EXPECT_NE(wrong.err.find("found \"nothing\"; allowed: \"filled mass/filled mass\", \"shoe/force x\""),
+            std::string::npos)
+      << wrong.err;
+}
+
+// A second run ten times as fast changes what the first one's picture looks like: the scale is that of both.
+TEST_F(EveryPicture, OfSpeedsOfSeveralRunsIsOnOneScale) {
+  const std::vector<std::vector<std::string>> kinds = {{"--picture", "velocity"},
+                                                       {"--picture", "view", "--colour-by", "speed"}};
+  const auto first_of_both = [&](const std::vector<std::string>& words) {
+    EXPECT_EQ(map(words, true).exit_code, 0);
+    return support::contents(out() / (words[1] + "_one.png"));
+  };
+  const std::string alike = first_of_both(kinds[0]), alike_view = first_of_both(kinds[1]);
+  auto fast = small_ring();
+  for (auto& velocity : fast.powder.velocity) velocity *= 10;
+  for (auto& instant : fast.instants)
+    for (auto& velocity : instant.velocity) velocity *= 10;
+  results::write_results(two(), fast);
+  EXPECT_NE(first_of_both(kinds[0]), alike);
+  EXPECT_NE(first_of_both(kinds[1]), alike_view);
+}
+
 TEST_F(EveryPicture, OfGrainsUnderPressureIsOfTheEndOnly) {
   EXPECT_EQ(map({"--picture", "view", "--colour-by", "pressure"}).exit_code, 0);
   const Outcome earlier = map({"--picture", "view", "--colour-by", "pressure", "--to", "0.1 s"});

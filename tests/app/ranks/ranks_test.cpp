@@ -20,9 +20,9 @@ TEST(Ranks, MissingHostIsNamedWithItsLine) {
 
 TEST(Ranks, FillTheDieAsThreadsDo) {
   const SmallDie die;
-  ASSERT_EQ(die.run().exit_code, 0);
+  ASSERT_EQ(die.run({"--no-pictures"}).exit_code, 0);
   const double built_in = die.report()["filled_mass_kg"];
-  const Outcome outcome = die.run({"--ranks", "2"});
+  const Outcome outcome = die.run({"--ranks", "2", "--no-pictures"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto report = die.report();
   EXPECT_EQ(report["ranks"], 2);

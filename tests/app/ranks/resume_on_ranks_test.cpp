@@ -40,7 +40,8 @@ std::filesystem::file_time_type changed(const std::filesystem::path& file) {
 /// Runs on `ranks` until a checkpoint has been written again, then does `end` to it.
 Outcome broken_off(const SmallDie& die, int ranks, const std::function<void(Program&)>& end) {
   const auto before = changed(checkpoint(die));
-  Program program(die.run_arguments({"--resume", "--quiet", "--ranks", std::to_string(ranks)}));
+  Program program(
+      die.run_arguments({"--resume", "--quiet", "--no-pictures", "--ranks", std::to_string(ranks)}));
   EXPECT_TRUE(wait_until([&] { return !program.running() || changed(checkpoint(die)) > before; }));
   end(program);
   return program.wait();
@@ -61,7 +62,7 @@ TEST(ResumeOnRanks, GoesOnWithAnotherNumberOfRanksAndWithout) {
     EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
     EXPECT_TRUE(ranks_of(die).empty());
   }
-  const Outcome last = die.run({"--resume"});
+  const Outcome last = die.run({"--resume", "--no-pictures"});
   ASSERT_EQ(last.exit_code, 0) << last.err;
   EXPECT_GT(die.report()["filled_mass_kg"].get<double>(), 0);
   EXPECT_LT(std::abs(die.report()["energy_balance_error"].get<double>()), 0.01);
@@ -90,7 +91,7 @@ TEST(ResumeOnRanks, AfterKillsOfARankAndOfMpirunLosesNothingWritten) {
     }));
   expect_one_line(
       broken_off(die, 2, [&](Program&) { kill_all(processes_of("mpirun", die.out().string())); }));
-  const Outcome last = die.run({"--resume", "--ranks", "2"});
+  const Outcome last = die.run({"--resume", "--ranks", "2", "--no-pictures"});
   ASSERT_EQ(last.exit_code, 0) << last.err;
   EXPECT_NE(last.err.find("resuming at t = 0."), std::string::npos) << last.err;
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <sstream>
+#include <string>
 
 #include "project_paths.h"
 #include "tests/app/program.h"
@@ -65,6 +67,18 @@ TEST(ManualPage, ListsEveryCommandWithItsOptions) {
   for (const char* heading : {".SS \"diefill run SCENE [OPTIONS]\"", ".SS \"diefill lab silo [OPTIONS]\""})
     EXPECT_NE(page.find(heading), std::string::npos) << heading;
   EXPECT_NE(page.find("\\fB\\-\\-no\\-pictures\\fR"), std::string::npos);
+}
+
+TEST(ManualPage, TextsBelowTheOptionsFitALineOfATerminal) {
+  std::istringstream page(run_program({"--man"}).out);
+  bool as_written = false;
+  constexpr std::size_t kLongest = 122;  // an example of one command line
+  for (std::string line; std::getline(page, line);) {
+    if (line == ".nf" || line == ".fi") as_written = line == ".nf";
+    std::erase(line, '\\');
+    if (!as_written) continue;
+    EXPECT_LE(line.size(), kLongest) << line;
+  }
 }
 
 TEST(ManualPage, ExplainsExitCodesAndTheEnvironment) {

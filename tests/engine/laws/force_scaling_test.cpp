@@ -2,7 +2,7 @@
 // spheres thrown on a floor.
 #include "engine/coarse_graining/methods.h"
 #include "engine/coarse_graining/scaled_law.h"
-#include "engine/coarse_graining/thakur.h"
+#include "engine/coarse_graining/similar_parameters.h"
 #include "law_test_support.h"
 #include "source_laws.h"
 
@@ -263,7 +263,7 @@ TEST(GeometricSimilarity, RunsTheSameTrajectoryInUnitsOfTheGrain) {
   for (const auto& [name, law] : laws_of_the_sources()) {
     const auto fine = glancing(unscaled(), law, 1, 2.5e-4, 3000, 1e-8);
     const auto coarse = glancing(hu_chapter_5_method_2(4), law, 1, 1e-3, 3000, 4e-8);
-    const auto by_parameters = glancing(unscaled(), thakur(law, 4), 1, 1e-3, 3000, 4e-8);
+    const auto by_parameters = glancing(unscaled(), similar_parameters(law, 4), 1, 1e-3, 3000, 4e-8);
     for (const auto* way : {&coarse, &by_parameters}) {
       EXPECT_LT(length((*way)[0].velocity - fine[0].velocity), 1e-9) << name;
       EXPECT_LT(length(4.0 * (*way)[0].spin - fine[0].spin), 1e-9 * length(fine[0].spin)) << name;

@@ -39,6 +39,10 @@ TEST(GeneralTimeStep, IsTheClosedFormForHertz) {
       const double packed = 2 * std::sqrt(mass / (2 * kContactsPerGrain * kModulus * std::sqrt(0.1) * root));
       const double step = std::min({spring, damper, packed});
       EXPECT_NEAR(critical_time_step(shape, law, kSpeed), step, 1e-3 * step) << damping;
+      // What a run checks its fastest grains by.
+      const double collision = std::min(spring, damper);
+      EXPECT_NEAR(collision_time_step(ParticleTypes({{shape}}), both(law), kSpeed), collision,
+                  1e-3 * collision);
       const double deep = 0.5 * kRadius, wall = 3e-4, spacing = 5e-4;
       const double contacts = pinching_contacts(kRadius, wall, spacing, deep);
       const double at_wall = std::sqrt(effective_radius(kRadius, wall) * deep);

@@ -7,6 +7,7 @@
 
 #include "process/calibration/calibrate.h"
 #include "process/calibration/screen.h"
+#include "process/results/studies/job_cost.h"
 #include "process/results/studies/job_list.h"
 #include "tests/process/calibration/made_up_runs.h"
 
@@ -119,11 +120,16 @@ TEST_F(MadeUpRounds, ThoseOfAComparisonAreRefused) {
 
 TEST_F(MadeUpRounds, ARunOfAnotherSceneIsLeftOutWhereTheyAreCollected) {
   run_all();
-  std::ofstream(options_.points.directory / "p002_r01" / "seed-2" / "scene.toml") << faultless_scene();
+  const auto other = options_.points.directory / "p002_r01" / "seed-2";
+  std::ofstream(other / "scene.toml") << faultless_scene();
+  results::add_job_cost(other, {1000, 1000, 1});
+  options_.points.jobs.cpu_seconds = 500;
   const auto before = files_but_powder();
   const auto account = collected();
   EXPECT_EQ(account.stopped, "1 runs are not finished: 1 of these folders hold runs of other scenes");
   EXPECT_EQ(account.points.at(1).state, "left out");
+  EXPECT_EQ(account.points.at(1).core_seconds, 0);
+  EXPECT_FALSE(has_line(account.remarks, "the budget is used"));
   EXPECT_EQ(files_but_powder(), before);
 }
 

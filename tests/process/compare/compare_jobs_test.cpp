@@ -77,6 +77,16 @@ TEST(JobFolders, KeepResultsWhateverHasNoPartInTheComputation) {
   }
 }
 
+TEST(JobFolders, OfARunAreNamedByItsVariantAndSeed) {
+  Variant variant{"quick", "quick-one", {}};
+  variant.scene.seed = 7;
+  const results::Job job = job_of(variant, 2);
+  EXPECT_EQ(job.variant, "quick");
+  EXPECT_EQ(job.seed, 9U);
+  EXPECT_EQ(job.folder, "quick-one/seed-9");
+  EXPECT_EQ(job.folder, results::job_folder("quick-one", 9));
+}
+
 TEST(JobFolders, AreOnlyReadWhereJobsAreFound) {
   Jobs jobs;
   const std::string scene = faultless_scene() + kVariants;
@@ -296,6 +306,31 @@ TEST(EarlierTables, OfACalibrationWithAFitAreKeptWhereTheNewOneHasNone) {
   EXPECT_EQ(back_up_earlier_tables(directory, calibration_of({0.2, 0.4}, false)), directory / "previous-1");
   results::write_calibration(directory, calibration_of({0.2, 0.4}, false));
   EXPECT_EQ(back_up_earlier_tables(directory, calibration_of({0.2, 0.4}, false)), std::nullopt);
+}
+
+TEST(EarlierTables, ThePowderOfAnEarlierFitIsMovedWhereTheNewOneHasNone) {
+  const support::TemporaryFolder folder;
+  const auto& directory = folder.path();
+  results::write_calibration(directory, calibration_of({0.2, 0.4}, true));
+  folder.write("powder.toml", "earlier\n");
+  EXPECT_EQ(back_up_earlier_tables(directory, calibration_of({0.2, 0.4}, true)), std::nullopt);
+  EXPECT_EQ(back_up_earlier_tables(directory, calibration_of({0.2, 0.4}, false)), directory / "previous-1");
+  EXPECT_EQ(contents(directory / "previous-1/powder.toml"), "earlier\n");
+  EXPECT_FALSE(fs::exists(directory / "powder.toml"));
+  results::write_calibration(directory, calibration_of({0.2, 0.4}, false));
+  folder.write("powder.toml", "left there\n");
+  EXPECT_EQ(back_up_earlier_tables(directory, calibration_of({0.2, 0.4}, false)), directory / "previous-2");
+  EXPECT_FALSE(fs::exists(directory / "powder.toml"));
+  EXPECT_TRUE(fs::exists(directory / "calibration.json"));
+}
+
+TEST(EarlierTables, APowderBesideAScreeningStays) {
+  const support::TemporaryFolder folder;
+  folder.write("powder.toml", "mine\n");
+  results::Calibration screening = calibration_of({0.2}, false);
+  screening.screening.quantities.emplace_back();
+  EXPECT_EQ(back_up_earlier_tables(folder.path(), screening), std::nullopt);
+  EXPECT_EQ(contents(folder.path() / "powder.toml"), "mine\n");
 }
 
 TEST(EarlierTables, AForeignFileOfACalibrationsNameIsMovedAndTheCalibrationFileIsNot) {

@@ -33,6 +33,38 @@ TEST(EstimateAnswer, OfGrainsBeyondTheRangeIsOpen) {
               "grains of 1.88 mm are 0.48 of the width of the cavity");
 }
 
+/// To estimate with a law of one's own.
+EstimateOptions with_fit(const continuum::TransientCoefficients& numbers) {
+  EstimateOptions options;
+  options.law.emplace();
+  options.law->numbers = numbers;
+  options.law->longest = 9;
+  options.law->source = "fit fit.json";
+  return options;
+}
+
+// A rate of 2e-10 of what powders have, as of masses in a wrong unit.
+TEST(EstimateAnswer, OfAFitThatIsInDoubtIsOpen) {
+  EstimateOptions options = with_fit({2e-10, 2e-10, 2e-10, 1});
+  EXPECT_EQ(estimated(kSquare, {}, options).answer, Answer::too_fast);
+  options.law->doubts = {"C_F = 2e-10 is outside the range known for powders"};
+  const Estimate found = estimated(kSquare, {}, options);
+  expect_open(found, "fit fit.json says: C_F = 2e-10 is outside the range known for powders");
+}
+
+TEST(EstimateAnswer, BeyondTheTimesOfAFitWithoutASteadyRateIsOpen) {
+  EstimateOptions options = with_fit(continuum::kSimulatedDischarge);
+  options.law->holds_beyond_longest = false;
+  const Estimate within = estimated(kSquare, {kSlow}, options);
+  const double longest = within.openings.at(0).longest_x;
+  options.law->longest = 1.01 * longest;
+  EXPECT_NE(estimated(kSquare, {kSlow}, options).answer, Answer::open);
+  options.law->longest = 0.5 * longest;
+  expect_open(estimated(kSquare, {kSlow}, options), "and fit fit.json does not show how it flows after");
+  options.law->holds_beyond_longest = true;
+  EXPECT_NE(estimated(kSquare, {kSlow}, options).answer, Answer::open);
+}
+
 TEST(EstimateAnswer, OfPowderThatIsTooShallowIsOpen) {
   expect_open(estimated(kSquare, {{"fill_height = \"12 mm\"", "fill_height = \"8 mm\""}}),
               "powder is 8 mm deep in the shoe, at least 12 mm");
@@ -131,6 +163,22 @@ mass = "20 g"
   EXPECT_NEAR(whole.powder.let_in, 0.02, 1e-12);
   EXPECT_NEAR(half.powder.let_in, 0.02, 1e-12);
   EXPECT_NEAR(half.powder.in_shoe, whole.powder.in_shoe, 1e-9 * whole.powder.in_shoe);
+}
+
+TEST(EstimateAnswer, CountsNoMoreThanAStepLetsInUntilItIsStopped) {
+  const auto let_in = [](const std::string& delay) {
+    return estimated(kSquare, {{"[numerics]", R"([[step]]
+name = "feed"
+kind = "inflow"
+from = ["11 mm", "-6 mm", "5 mm"]
+to = ["35 mm", "6 mm", "24 mm"]
+mass = "20 g"
+rate = "10 g/s"
+until = { with = "feed", delay = ")" + delay + "\" }\n\n[numerics]"}})
+        .powder.let_in;
+  };
+  EXPECT_NEAR(let_in("0.5 s"), 0.005, 1e-9);
+  EXPECT_NEAR(let_in("3 s"), 0.02, 1e-9);
 }
 
 TEST(EstimateAnswer, TellsOfTheGrainsAndOfThePowdersOwnParticles) {

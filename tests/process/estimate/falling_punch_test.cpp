@@ -87,6 +87,26 @@ TEST(FallingPunch, ThatDoesNotFillTheOpeningLeavesItOpenFromTheStart) {
   }
 }
 
+TEST(FallingPunch, SaysWhatFollowsItAndWhatSuctionBrings) {
+  const auto said = [](double by_weight, double with_air) {
+    Estimate found;
+    SuctionEstimate suction;
+    suction.volume_mass = 0.01;
+    suction.covered = 0.5;
+    suction.by_weight = by_weight;
+    suction.with_air = with_air;
+    suction.pull = 0.5;
+    found.suctions.push_back(suction);
+    return all_said(found);
+  };
+  EXPECT_TRUE(says(said(0.005, 0.005), "so suction brings nothing more while powder flows"));
+  EXPECT_TRUE(says(said(0.002, 0.003), "follow by their own weight, suction brings 1 g more"))
+      << said(0.002, 0.003);
+  EXPECT_TRUE(says(said(0.002, 0.002), "follow by their own weight, and suction brings nothing more"));
+  EXPECT_TRUE(says(said(0, 0), "; no powder runs in by its own weight, nor by suction; the air it draws"))
+      << said(0, 0);
+}
+
 TEST(OpeningLayout, PlacesBelongToTheCavityBelowThem) {
   const Scene scene = sample("small_dies/pair.toml");
   const Tooling tooling = read_tooling(scene);

@@ -82,6 +82,16 @@ TEST_F(FittedDischarge, PassesOnWhatTheFitRemarksOn) {
   EXPECT_NE(law.remark.find("fit.json says: C = 2e-10: check the units"), std::string::npos) << law.remark;
 }
 
+TEST_F(FittedDischarge, IsInDoubtWhereTheFitSaysSo) {
+  const PowderDischarge sound = read(slit("}"));
+  EXPECT_TRUE(sound.doubts.empty());
+  EXPECT_TRUE(sound.holds_beyond_longest);
+  const PowderDischarge law =
+      read(slit(R"(}, "doubts": ["check the units"], "holds_beyond_largest_x": false)"));
+  EXPECT_EQ(law.doubts, std::vector<std::string>{"check the units"});
+  EXPECT_FALSE(law.holds_beyond_longest);
+}
+
 TEST_F(FittedDischarge, GrainsAsItWasMeasuredWithFeelOpeningsAsItSays) {
   const std::string grain = R"(, "effective_opening_grain_diameter_m": 0.001)";
   for (const auto& [more, annulus] : {std::pair{"}" + grain, 1.4},

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/observe/energy_balance.h"
+#include "engine/simulation/simulation.h"
 #include "process/laboratory/benchmark_law.h"
 
 namespace diefill::process::laboratory {

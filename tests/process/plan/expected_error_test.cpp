@@ -219,12 +219,12 @@ TEST(ExpectedError, WithoutACavityIsThatOfTheOpeningOrOfTheBed) {
 }
 
 TEST(ExpectedError, IsSaidWithItsScatterWhereThatIsKnown) {
-  EXPECT_EQ(words_of({{"mass", 0.031, 0.012, ""}, {"bed", 0.04, 0, ""}}),
+  EXPECT_EQ(text_of_errors({{"mass", 0.031, 0.012, ""}, {"bed", 0.04, 0, ""}}),
             "mass 3.1 % (scatter 1.2 %), bed 4 %");
   EXPECT_EQ(
-      words_of({{"mass", 0.031, 0.012, "", 0.33}, {"bed", 0.04, 0, "", 0.42}}),
+      text_of_errors({{"mass", 0.031, 0.012, "", 0.33}, {"bed", 0.04, 0, "", 0.42}}),
       "mass 3.1 % (scatter 1.2 %, extrapolated beyond d/b = 0.33), bed 4 % (extrapolated beyond d/b = 0.42)");
-  EXPECT_EQ(words_of({}), "");
+  EXPECT_EQ(text_of_errors({}), "");
 }
 
 }  // namespace

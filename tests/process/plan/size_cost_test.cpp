@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/simulation/simulation.h"
 #include "process/laboratory/benchmark_bed.h"
 #include "process/plan/pilot.h"
 

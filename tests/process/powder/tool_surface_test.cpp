@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/simulation/simulation.h"
 #include "process/powder/material.h"
 #include "process/tooling/wall_bodies.h"
 #include "tests/process/scene_files.h"

@@ -35,6 +35,13 @@ TEST(ResultFile, MissingFileIsNamed) {
   EXPECT_NE(message_of_reading(scratch.path()).find("no such results file"), std::string::npos);
 }
 
+TEST(ResultFile, OfARunThatHasNotEndedIsAwaited) {
+  const support::TemporaryFolder scratch;
+  put(scratch.path() / "checkpoint.bin", "state");
+  EXPECT_NE(message_of_reading(scratch.path()).find("has not reached its end"), std::string::npos);
+  EXPECT_NE(message_of_reading(scratch.path()).find("diefill run --resume"), std::string::npos);
+}
+
 /// A file of an earlier version has no hash of its contents at its end; nothing says that there was one.
 std::string without_hash(std::string text) {
   const std::string mark = "hash_at_end";

@@ -27,6 +27,12 @@ TEST(Rounding, ValuesWithoutScatterKeepAFewDigits) {
   EXPECT_EQ(with_scatter(std::nan(""), 1), "");
 }
 
+TEST(Rounding, SharesAreInWholePercent) {
+  EXPECT_EQ(whole_percent(0.426), "43 %");
+  EXPECT_EQ(whole_percent(1.2), "120 %");
+  EXPECT_EQ(whole_percent(-0.001), "0 %");
+}
+
 TEST(Rounding, MassesAreInGramsOrMilligrams) {
   EXPECT_EQ(mass_text(3.1234e-3), "3.12 g");
   EXPECT_EQ(mass_text(3.1234e-3, 2), "3.1 g");

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <set>
 
+#include "engine/simulation/simulation.h"
 #include "geometry/solid/solid_query.h"
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
@@ -235,6 +236,7 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   kept.grains_removed = {3, 4};
   kept.grains_sheared = {3};
   kept.leaks = {2, true};
+  kept.strays = {3, 1, {1, 2, 3}, 0.5};
   kept.warnings.speed = true;
   kept.warnings.texts = {"a grain was fast", ""};
   write_checkpoint(checkpoint_file(folder_.path()), kept);
@@ -252,6 +254,10 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   EXPECT_EQ(read->grains_sheared, kept.grains_sheared);
   EXPECT_EQ(read->leaks.grains, 2U);
   EXPECT_TRUE(read->leaks.warned);
+  EXPECT_EQ(read->strays.grains, 3U);
+  EXPECT_EQ(read->strays.tool, 1U);
+  EXPECT_EQ(read->strays.place, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(read->strays.time, 0.5);
   EXPECT_TRUE(read->warnings.speed);
   EXPECT_FALSE(read->warnings.overlap);
   EXPECT_EQ(read->warnings.texts, kept.warnings.texts);
@@ -274,7 +280,7 @@ TEST_F(CheckpointFile, OfTheLayoutBeforeIsRefusedInWords) {
   const auto file = checkpoint_file(folder_.path());
   write_checkpoint(file, {});
   std::string bytes = support::contents(file);
-  ASSERT_EQ(bytes.substr(0, 8), "dfchkp19");
+  ASSERT_EQ(bytes.substr(0, 8), "dfchkp20");
   folder_.write(file.filename().string(), bytes.replace(7, 1, "8"));
   try {
     read_checkpoint(file);

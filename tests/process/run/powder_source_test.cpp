@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/limits/validity_monitor.h"
+#include "engine/simulation/simulation.h"
 #include "process/powder/material.h"
 #include "process/run/check_intervals.h"
 #include "process/scene/powder_presets.h"

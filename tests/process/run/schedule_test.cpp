@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "engine/simulation/simulation.h"
 #include "process/machine/actions/powder_inflow.h"
 #include "process/machine/actions/settle.h"
 #include "process/machine/actions/wait.h"
@@ -219,6 +220,27 @@ TEST(Schedule, ForeseesHowLongPowderIsFed) {
   scene.steps = {std::make_shared<Inflow>(inflow)};
   const auto unknown = predicted(Stages(scene), 0.25);
   EXPECT_NEAR(unknown[1].ended - unknown[1].started, 0.25, 1e-12);
+}
+
+TEST(Schedule, ForeseesTheEarlierOfAMassAndACondition) {
+  PowderInflow inflow;
+  inflow.mass = 10e-3;
+  inflow.rate = 10e-3;  // 1 s
+  const auto lasts = [&](const Condition& condition) {
+    Scene scene;
+    scene.steps = {until(std::make_shared<Inflow>(inflow), condition), named(wait(0.1), "next")};
+    const auto plan = predicted(Stages(scene), 0.25);
+    EXPECT_NEAR(plan[2].started, plan[1].ended, 1e-12);
+    return plan[1].ended - plan[1].started;
+  };
+  EXPECT_NEAR(lasts(at(0.4)), 0.4, 1e-12);
+  EXPECT_NEAR(lasts(at(3)), 1, 1e-12);
+  Condition full = at(0.4);
+  full.filled_mass = 5e-3;
+  EXPECT_NEAR(lasts(full), 0.65, 1e-12);
+  inflow.rate.reset();
+  EXPECT_NEAR(lasts(at(0.1)), 0.1, 1e-12);
+  EXPECT_NEAR(lasts(at(0.4)), 0.25, 1e-12);
 }
 
 TEST(Snapshots, AreTakenOnceOrAgainAndAgainAndSurviveARestart) {

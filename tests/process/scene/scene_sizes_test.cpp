@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "engine/contact/pair_laws.h"
+#include "engine/simulation/simulation.h"
 #include "process/powder/material.h"
 #include "process/powder/mixed_powder.h"
 #include "process/powder/tool_surface.h"

@@ -64,10 +64,31 @@ TEST(SceneChanges, FaultsNameTheOptionAndNotTheFile) {
   EXPECT_TRUE(complaint("seed = 2\nstep.9.velocity = \"1 m/s\"\n")
                   .starts_with("--set, change 2: step.9: found a table, no [[step]] has this name"));
   EXPECT_TRUE(complaint("step.1.velocity = \"1 kg\"\n", "--vary")
-                  .starts_with("--vary, change 1: step.velocity: found \"1 kg\""))
+                  .starts_with("--vary, change 1: step.1.velocity: found \"1 kg\""))
       << complaint("step.1.velocity = \"1 kg\"\n", "--vary");
   EXPECT_TRUE(complaint("seed = = 2\n").starts_with("--set:1:")) << complaint("seed = = 2\n");
   EXPECT_EQ(complaint("powder.friction = 0.5\n"), "no complaint");
+}
+
+TEST(SceneChanges, FaultsNameKeysAsTheChangeWroteThem) {
+  const SceneFolder folder;
+  const auto file = folder.write(faultless_scene());
+  const std::pair<const char*, const char*> faults[] = {
+      {"step.1.velocty = \"1 m/s\"", "step.1.velocty: found \"1 m/s\" under an unknown key"},
+      {"step.1 = {velocity = \"1 kg\"}", "step.1.velocity: found \"1 kg\""},
+      {"tool.shoe.file = \"none.stl\"", "tool.shoe.file: found \"none.stl\""},
+      {"tool.\"shoe\".position = [\"1 mm\", \"2 kg\", \"0 mm\"]", "tool.shoe.position[y]: found \"2 kg\""},
+      {"[powder]\nfriction = -1", "powder.friction: found -1"}};
+  for (const auto& [change, named] : faults) {
+    SceneChanges changes;
+    changes.set = change;
+    try {
+      changed_scene(faultless_scene(), file, changes);
+      ADD_FAILURE() << "no complaint about " << change;
+    } catch (const SceneError& error) {
+      EXPECT_NE(std::string(error.what()).find(std::string(": ") + named), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST(Variants, ChangeWhatTheyNameAndNothingElse) {

@@ -232,7 +232,7 @@ TEST_F(ChartTest, TheFillPlaneIsAReferenceAcrossTheFillLevels) {
   const results::Profile along{"fill level", "mm", "distance", "mm", {1, 2, 3}, {9, 8, 9}},
       round{"fill level", "mm", "azimuth", "deg", {10, 120, 350}, {9, 8, 9}};
   for (const auto& [profile, from, to] : {std::tuple{along, 1, 3}, std::tuple{round, 0, 360}}) {
-    const Chart chart = fill_level_chart({{"", profile}}, 10, "");
+    const Chart chart = fill_level_chart({{"", profile}}, {10}, "");
     const Curve& plane = chart.curves.back();
     EXPECT_EQ(plane.name, "fill plane");
     EXPECT_EQ(plane.style, CurveStyle::kReference);
@@ -278,6 +278,21 @@ TEST_F(ChartTest, ProfileFileIsTheSameTwice) {
   keep(image, "fill_level.png");
   EXPECT_EQ(image.size(), QSize(1600, 1000));
   EXPECT_TRUE(has_white_border(image, 8));
+}
+
+TEST_F(ChartTest, AxesInDegreesHaveTicksAtPartsOfAFullTurn) {
+  Chart chart;
+  chart.y.label = "Fill level [mm]";
+  chart.curves = {{"level", {4, 90, 200, 356}, {1, 2, 3, 4}, CurveStyle::kLine, {}}};
+  for (const char* unit : {"[deg]", "[°]"}) {
+    chart.x.label = std::string("Azimuth ") + unit;
+    const PlotArea plot = compose_chart(chart).plot;
+    EXPECT_DOUBLE_EQ(plot.x.range.upper, 360);
+    EXPECT_EQ(plot.x.ticks.at, (std::vector<double>{0, 45, 90, 135, 180, 225, 270, 315, 360}));
+    EXPECT_EQ(plot.x.label, QStringLiteral("Azimuth [°]"));
+  }
+  chart.x.label = "Time [s]";
+  EXPECT_DOUBLE_EQ(compose_chart(chart).plot.x.ticks.at.at(1), 50);
 }
 
 }  // namespace

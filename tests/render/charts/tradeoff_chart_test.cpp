@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "render/charts/tradeoff_marks.h"
 #include "render/style/label_placement.h"
 #include "tests/render/fields/drawing_test.h"
 
@@ -62,6 +63,40 @@ TEST_F(TradeoffCharts, LabelsStayApartFromOneAnotherAndFromMarks) {
       EXPECT_FALSE(picture.labels[a].intersects(picture.labels[b])) << a << ' ' << b;
     for (const QPointF& mark : picture.places) EXPECT_FALSE(picture.labels[a].contains(mark)) << a;
   }
+}
+
+TEST_F(TradeoffCharts, LongNamesOfManySettingsStayOnThePicture) {
+  Tradeoff tradeoff = crowded();
+  tradeoff.points.clear();
+  for (int k = 0; k < 10; ++k)
+    tradeoff.points.push_back(point("shoe at 0.05 m/s, vibrated across its motion at " + std::to_string(k) +
+                                        " Hz, then oscillated about the axis",
+                                    4 + 9 * k * k, 0.02 * (k + 1)));
+  tradeoff.points[0].reference = tradeoff.points[0].pareto = true;
+  tradeoff.points[3].recommended = true;
+  tradeoff.points[4].beyond = {"filled_mass"};
+  for (int k = 5; k < 10; ++k) tradeoff.points[static_cast<std::size_t>(k)].reason = "energy grew";
+  const auto picture = compose_tradeoff(tradeoff);
+  keep(picture.image, "tradeoff_long_names.png");
+  EXPECT_TRUE(has_white_border(picture.image, 8));
+  for (const QRectF& label : picture.labels) EXPECT_TRUE(picture.plot.rect.contains(label));
+}
+
+TEST_F(TradeoffCharts, ALegendOfAllMarksTakesTwoRows) {
+  Tradeoff tradeoff = crowded();
+  const double one = draw_mark_legend(nullptr, 36, 100, 1528, tradeoff);
+  tradeoff.points[1].beyond = {"filled_mass"};
+  tradeoff.points[3].reason = "energy grew";
+  EXPECT_EQ(draw_mark_legend(nullptr, 36, 100, 1528, tradeoff), 2 * one);
+}
+
+TEST_F(TradeoffCharts, AKnobWithOneSeedHasNoErrorBarsButAnAxis) {
+  Tradeoff tradeoff = crowded();
+  for (auto& one : tradeoff.points)
+    for (auto& value : one.values) value.scatter = std::nan("");
+  const auto axis = compose_knob(tradeoff, tradeoff.knobs.front()).deviation.y.range;
+  EXPECT_GE(axis.upper, 100 * (0.21 - 0.02) / 1.02);
+  EXPECT_LE(axis.upper, 25);
 }
 
 TEST_F(TradeoffCharts, PointsStandAtTheirCostAndError) {

@@ -64,6 +64,25 @@ TEST_F(ComparisonPictures, SayHowManySeedsAFieldIsTheMeanOf) {
   EXPECT_EQ(names[2], "variant 3");
 }
 
+// Variants differ at the end of their names or at the beginning; as many seeds of all are said once, in the
+// foot.
+TEST_F(ComparisonPictures, KeepBothEndsOfLongNames) {
+  auto fields = maps(10);
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    fields[k].name = std::to_string(k) +
+                     " passages, vibrated across the shoe, then oscillated about the axis at " +
+                     std::to_string(k) + " Hz";
+    fields[k].seeds = 3;
+  }
+  const auto picture = compose_comparison(fields, kTitle);
+  keep(picture.image, "comparison_long_names.png");
+  EXPECT_TRUE(has_white_border(picture.image, 8));
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    EXPECT_TRUE(picture.names[k].starts_with(std::to_string(k) + " passages")) << picture.names[k];
+    EXPECT_TRUE(picture.names[k].ends_with(std::to_string(k) + " Hz")) << picture.names[k];
+  }
+}
+
 TEST_F(ComparisonPictures, LookLikeTheirReference) {
   expect_like_reference(compose_comparison(maps(4), kTitle).image, "comparison.png");
 }

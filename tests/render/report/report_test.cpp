@@ -72,6 +72,13 @@ TEST_F(ReportDrawing, ChartsOverTimeAreThoseOfProbesAndOfAllZonesTogether) {
   EXPECT_EQ(std::get<Figures>(section.blocks[0]).figures.size(), 2U);
 }
 
+TEST(ReportOverTime, AxesAreCalledByTheWordsThatTheColumnsShare) {
+  EXPECT_EQ(common_words({"force x", "force y", "force z"}), "force");
+  EXPECT_EQ(common_words({"mean level", "lowest level"}), "level");
+  EXPECT_EQ(common_words({"filled mass"}), "filled mass");
+  EXPECT_EQ(common_words({"kinetic", "potential"}), "value");
+}
+
 TEST(CriticalSpeed, FindsThePowerLawThatTheRunsFollow) {
   std::vector<double> speed = {0.1, 0.3, 0.4, 0.6}, ratio = {1.02};
   for (std::size_t n = 1; n < speed.size(); ++n) ratio.push_back(std::pow(0.25 / speed[n], 1.3));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "render/fields/pictures.h"
 #include "tests/render/fields/drawing_test.h"
@@ -128,6 +129,29 @@ TEST_F(Snapshot, SlitPlatesWithOpenMeshAreDrawn) {
   keep(picture.image, "snapshot_plate.png");
   const Rgb plate_colour = pixel_at(picture.image, project(picture, {0, 20e-3, -21e-3}));
   EXPECT_FALSE(close_to(plate_colour, {255, 255, 255}, 10));
+}
+
+TEST_F(Snapshot, KindsHaveALegendInPlaceOfAScale) {
+  const auto result = make_ring();
+  ViewOptions options;
+  options.kinds = {"graphite, very fine, lubricated", "iron"};
+  for (std::size_t k = 0; k < result.powder.position.size(); ++k)
+    options.values.push_back(static_cast<double>(1 + k % 2));
+  const auto picture = compose_snapshot(result, options);
+  keep(picture.image, "snapshot_kinds.png");
+  EXPECT_TRUE(has_white_border(picture.image, 8));
+  EXPECT_TRUE(picture.bar_rect.isEmpty());
+  ASSERT_EQ(picture.swatches.size(), 2U);
+  EXPECT_FALSE(picture.swatches[0].intersects(picture.swatches[1]));
+  EXPECT_TRUE(close_to(pixel_at(picture.image, picture.swatches[0].center()), map_colour(0), 2));
+  EXPECT_TRUE(close_to(pixel_at(picture.image, picture.swatches[1].center()), map_colour(1), 2));
+}
+
+TEST_F(Snapshot, AxesOfATurnedViewStayOnThePicture) {
+  ViewOptions options;
+  options.camera.azimuth = 0.5 * std::numbers::pi;
+  options.camera.elevation = 20 * std::numbers::pi / 180;
+  EXPECT_TRUE(has_white_border(compose_snapshot(make_ring(), options).image, 8));
 }
 
 TEST_F(Snapshot, NothingToShowIsSaid) {

@@ -52,6 +52,9 @@ TEST(Ticks, AnglesFollowTheCircle) {
   EXPECT_EQ(angle_ticks({0, 360}, 13).at[1], 30);
   EXPECT_EQ(angle_ticks({0, 360}, 5).at[1], 90);
   EXPECT_EQ(angle_ticks({0, 10}, 6).at[1], 2);
+  EXPECT_DOUBLE_EQ(widen_to_angles({5, 355}, 9).lower, 0);
+  EXPECT_DOUBLE_EQ(widen_to_angles({5, 355}, 9).upper, 360);
+  EXPECT_DOUBLE_EQ(widen_to_angles({1.1, 9}, 6).upper, 10);
 }
 
 TEST(Ticks, DecadesAreLabelledAndBetweenOnlyWhereFew) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "process/laboratory/flow/registry.h"
 #include "process/scene/powder_presets.h"
 
 namespace diefill::process::laboratory {
@@ -80,6 +81,12 @@ TEST(HopperFigures, AreThoseOfTheFields) {
   EXPECT_NEAR(value_of(figures, "D13"), 0, 1e-12);
   EXPECT_NEAR(value_of(figures, "D14"), 1, 1e-9);
   EXPECT_NEAR(value_of(figures, "D15"), 0, 1e-9);
+}
+
+TEST(HopperFigures, AreThoseThatTheExperimentIsComparedWith) {
+  std::vector<std::string> ids;
+  for (const auto& figure : hopper_figures(study())) ids.push_back(figure.id);
+  EXPECT_EQ(ids, flow_experiments().at(0).published_figures);
 }
 
 TEST(HopperFigures, FarSpeedsAreThoseOfThePlugOverTheWholeWidth) {

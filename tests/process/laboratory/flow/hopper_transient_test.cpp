@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "process/continuum/discharge.h"
+#include "process/laboratory/flow/registry.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -31,6 +32,8 @@ TEST(HopperTransient, TheLawOfTheStartingFlowComesBack) {
   const auto fields = flows(setups, 0.3);
   const auto figures = transient_figures(fit_transient(setups, fields), setups, fields);
   ASSERT_EQ(figures.size(), 5U);
+  for (std::size_t k = 0; k < figures.size(); ++k)
+    EXPECT_EQ(figures[k].id, flow_experiments().at(1).published_figures.at(k));
   EXPECT_NEAR(figures[0].value, 0.05, 1e-3);
   EXPECT_NEAR(figures[1].value, 0.39, 1e-2);
   EXPECT_NEAR(figures[2].value, 0.92, 1e-2);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/simulation/simulation.h"
 #include "process/laboratory/stability/contact_network.h"
 #include "process/laboratory/stability/elastic_gas.h"
 #include "process/laboratory/stability/profile_walls.h"
