@@ -1,6 +1,7 @@
 #include "process/laboratory/published/scene_experiment.h"
 
 #include "process/results/storage/result_file.h"
+#include "process/scene/snapshot_folder.h"
 
 namespace diefill::process::laboratory {
 
@@ -13,7 +14,7 @@ const results::FillResult& SeedResults::of(const std::string& run) const {
 }
 
 const results::FillResult& SeedResults::at(const std::string& run, const std::string& snapshot) const {
-  return read(folders_.at(run) / "snapshots" / snapshot);
+  return read(folders_.at(run) / "snapshots" / snapshot_folder(snapshot));
 }
 
 const results::FillResult& SeedResults::read(const std::filesystem::path& folder) const {
