@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/formula_commands.h"
-#include "app/commands/scene_choice.h"
+#include "app/commands/shared_options/scene_choice.h"
 #include "app/exit_code.h"
 #include "app/options/quantities.h"
 #include "app/tables/estimate_report.h"

@@ -6,7 +6,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/export_density.h"
-#include "app/commands/measured_region.h"
+#include "app/commands/shared_options/measured_region.h"
 #include "app/exit_code.h"
 #include "app/output.h"
 #include "app/pictures/paraview_series.h"

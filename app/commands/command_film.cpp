@@ -9,7 +9,7 @@
 
 #include "app/backup_notes.h"
 #include "app/commands/film_command.h"
-#include "app/commands/view_options.h"
+#include "app/commands/shared_options/view_options.h"
 #include "app/exit_code.h"
 #include "app/options/numbers.h"
 #include "app/options/output_file.h"

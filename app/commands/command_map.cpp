@@ -6,9 +6,9 @@
 #include <tuple>
 
 #include "app/commands/commands.h"
-#include "app/commands/measured_region.h"
 #include "app/commands/options_in_use.h"
-#include "app/commands/view_options.h"
+#include "app/commands/shared_options/measured_region.h"
+#include "app/commands/shared_options/view_options.h"
 #include "app/exit_code.h"
 #include "app/options/numbers.h"
 #include "app/options/quantities.h"

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "app/commands/commands.h"
-#include "app/commands/scene_choice.h"
+#include "app/commands/shared_options/scene_choice.h"
 #include "app/commands/start_scene.h"
 #include "app/exit_code.h"
 #include "app/options/choices.h"

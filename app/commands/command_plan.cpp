@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "app/commands/commands.h"
-#include "app/commands/scene_choice.h"
+#include "app/commands/shared_options/scene_choice.h"
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
 #include "app/options/numbers.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
-#include "app/commands/renderer_choice.h"
+#include "app/commands/shared_options/renderer_choice.h"
 #include "app/exit_code.h"
 #include "app/options/output_file.h"
 #include "app/options/results_directories.h"

@@ -3,12 +3,12 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/commands/scene_choice.h"
+#include "app/commands/shared_options/scene_choice.h"
 #include "app/output.h"
 #include "process/results/storage/earlier_results.h"
 #include "process/results/storage/result_file.h"
-#include "process/run/checkpoint.h"
-#include "process/run/input_record.h"
+#include "process/run/restart/checkpoint.h"
+#include "process/run/restart/input_record.h"
 
 namespace diefill::app {
 namespace {

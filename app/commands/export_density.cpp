@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "app/backup_notes.h"
-#include "app/commands/measured_region.h"
+#include "app/commands/shared_options/measured_region.h"
 #include "app/options/choices.h"
 #include "app/options/numbers.h"
 #include "app/options/output_file.h"

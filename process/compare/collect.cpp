@@ -10,7 +10,7 @@
 #include "process/compare/statistics.h"
 #include "process/input/scene_error.h"
 #include "process/results/storage/result_file.h"
-#include "process/run/input_record.h"
+#include "process/run/restart/input_record.h"
 
 namespace diefill::process {
 namespace {

@@ -11,8 +11,8 @@
 #include "process/results/storage/file_contents.h"
 #include "process/results/storage/result_file.h"
 #include "process/results/word_list.h"
-#include "process/run/checkpoint.h"
-#include "process/run/input_record.h"
+#include "process/run/restart/checkpoint.h"
+#include "process/run/restart/input_record.h"
 #include "process/scene/identity.h"
 
 namespace diefill::process {

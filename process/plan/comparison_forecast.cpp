@@ -8,7 +8,7 @@
 #include "process/powder/law_terms.h"
 #include "process/powder/material.h"
 #include "process/run/powder_domain.h"
-#include "process/run/shared_start.h"
+#include "process/run/restart/shared_start.h"
 #include "process/run/snapshots.h"
 #include "process/setup/build_tooling.h"
 

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "engine/limits/validity_monitor.h"
-#include "process/run/checkpoint.h"
 #include "process/run/free_tools.h"
 #include "process/run/leak_watch.h"
 #include "process/run/lost_grains.h"
 #include "process/run/powder_source.h"
 #include "process/run/probes.h"
+#include "process/run/restart/checkpoint.h"
 #include "process/run/schedule.h"
 #include "process/run/snapshots.h"
 #include "process/run/step_engine.h"

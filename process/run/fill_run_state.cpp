@@ -2,8 +2,8 @@
 #include "process/input/units.h"
 #include "process/results/storage/result_file.h"
 #include "process/run/fill_run.h"
-#include "process/run/input_record.h"
-#include "process/run/shared_start.h"
+#include "process/run/restart/input_record.h"
+#include "process/run/restart/shared_start.h"
 
 namespace diefill::process {
 

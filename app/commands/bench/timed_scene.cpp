@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "app/commands/bench/loop_figures.h"
-#include "app/commands/scene_choice.h"
+#include "app/commands/shared_options/scene_choice.h"
 #include "app/freed_memory.h"
 #include "engine/observe/powder_figures.h"
 #include "process/input/scene_error.h"
 #include "process/results/storage/result_file.h"
-#include "process/run/checkpoint.h"
 #include "process/run/fill_run.h"
+#include "process/run/restart/checkpoint.h"
 #include "process/scene/identity.h"
 
 namespace diefill::app {

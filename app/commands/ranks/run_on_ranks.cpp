@@ -7,7 +7,7 @@
 
 #include "app/commands/ranks/mpirun_child.h"
 #include "app/commands/ranks/step_engine.h"
-#include "app/commands/scene_choice.h"
+#include "app/commands/shared_options/scene_choice.h"
 #include "app/exit_code.h"
 #include "app/options/numbers.h"
 #include "app/options/output_file.h"

@@ -12,8 +12,8 @@
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/hashed_file.h"
 #include "process/results/studies/job_list.h"
-#include "process/run/byte_stream.h"
 #include "process/run/fill_run.h"
+#include "process/run/restart/byte_stream.h"
 #include "process/tooling/progress.h"
 
 namespace diefill::process::laboratory {

@@ -5,7 +5,7 @@
 
 #include "process/results/storage/result_file.h"
 #include "process/results/studies/job_list.h"
-#include "process/run/input_record.h"
+#include "process/run/restart/input_record.h"
 #include "tests/process/results_sample.h"
 #include "tests/support/temporary_folder.h"
 

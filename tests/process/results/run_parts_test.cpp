@@ -11,7 +11,7 @@
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
 #include "process/results/storage/result_file.h"
-#include "process/run/checkpoint.h"
+#include "process/run/restart/checkpoint.h"
 #include "process/run/suction.h"
 #include "process/scene/powder_presets.h"
 #include "process/setup/pour.h"

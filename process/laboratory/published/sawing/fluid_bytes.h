@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/fluid/fluid_simulation.h"
-#include "process/run/state_bytes.h"
+#include "process/run/restart/state_bytes.h"
 
 namespace diefill::process::laboratory::sawing {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "process/run/checkpoint.h"
+#include "process/run/restart/checkpoint.h"
 #include "process/scene/identity.h"
 #include "process/tooling/tooling.h"
 

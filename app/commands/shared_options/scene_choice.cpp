@@ -1,4 +1,4 @@
-#include "app/commands/scene_choice.h"
+#include "app/commands/shared_options/scene_choice.h"
 
 #include <algorithm>
 #include <chrono>

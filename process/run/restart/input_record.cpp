@@ -1,4 +1,4 @@
-#include "process/run/input_record.h"
+#include "process/run/restart/input_record.h"
 
 #include <algorithm>
 #include <sstream>

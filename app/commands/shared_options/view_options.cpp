@@ -1,4 +1,4 @@
-#include "app/commands/view_options.h"
+#include "app/commands/shared_options/view_options.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "app/commands/renderer_choice.h"
+#include "app/commands/shared_options/renderer_choice.h"
 #include "app/options/choices.h"
 #include "app/options/numbers.h"
 #include "app/pictures/grain_colours.h"

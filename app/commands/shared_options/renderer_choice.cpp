@@ -1,4 +1,4 @@
-#include "app/commands/renderer_choice.h"
+#include "app/commands/shared_options/renderer_choice.h"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "app/commands/measured_region.h"
+#include "app/commands/shared_options/measured_region.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Which runs begin alike, and what they leave for each other.
-#include "process/run/shared_start.h"
+#include "process/run/restart/shared_start.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "process/run/shared_start.h"
+#include "process/run/restart/shared_start.h"
 
 #include <toml++/toml.h>
 

@@ -1,4 +1,4 @@
-#include "process/run/checkpoint.h"
+#include "process/run/restart/checkpoint.h"
 
 #include <array>
 #include <cstring>
@@ -8,7 +8,7 @@
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/file_contents.h"
 #include "process/results/storage/result_file.h"
-#include "process/run/state_bytes.h"
+#include "process/run/restart/state_bytes.h"
 
 namespace diefill::process {
 

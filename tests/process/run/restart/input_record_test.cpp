@@ -1,5 +1,5 @@
 // What a run keeps of the files that it has read.
-#include "process/run/input_record.h"
+#include "process/run/restart/input_record.h"
 
 #include <gtest/gtest.h>
 

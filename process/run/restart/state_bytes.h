@@ -3,7 +3,7 @@
 
 #include "engine/simulation/snapshot.h"
 #include "process/results/fill_result.h"
-#include "process/run/byte_stream.h"
+#include "process/run/restart/byte_stream.h"
 
 namespace diefill::process {
 
