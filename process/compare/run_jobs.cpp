@@ -41,8 +41,8 @@ double share_in(const fs::path& log) {
   return share;
 }
 
-/// Removes the checkpoints that runs share (run/shared_start.h), and their folder if that leaves it empty.
-/// Other files there stay.
+/// Removes the checkpoints that runs share (run/restart/shared_start.h), and their folder if that leaves it
+/// empty. Other files there stay.
 void remove_shared_starts(const fs::path& folder) {
   static const std::regex ours(R"([0-9a-f]{16}\.bin(\..*\.tmp)?)");
   std::error_code error;

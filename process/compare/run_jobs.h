@@ -35,8 +35,8 @@ struct JobOptions {
   int cores = 1;                  ///< shared evenly by them, at least one thread each
   int threads = 0;                ///< of each job; 0: cores / at_once
   bool pictures = true;           ///< whether jobs draw their results
-  /// Whether jobs use each other's shared starts (run/shared_start.h). Results are the same; the cost of a
-  /// job is not.
+  /// Whether jobs use each other's shared starts (run/restart/shared_start.h). Results are the same; the cost
+  /// of a job is not.
   bool share_starts = false;
   /// s of processor time that all jobs together may have cost, earlier runs of them included. Running jobs
   /// are then stopped with a checkpoint, waiting ones are not started.

@@ -17,7 +17,7 @@ struct VariantForecast {
   std::string name;
   Forecast forecast;  ///< of the whole, as if it ran alone
   double shared_seconds =
-      0;  ///< simulated s at its beginning that an earlier variant leaves (run/shared_start.h)
+      0;  ///< simulated s at its beginning that an earlier variant leaves (run/restart/shared_start.h)
   std::optional<double> wall_seconds;  ///< s of computing the rest; nothing without a pilot
 };
 
