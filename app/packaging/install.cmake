@@ -15,6 +15,7 @@ endfunction()
 
 # The program finds its sample tools beside it: bin/../share/diefill/sample_tools (process/input/sample_tools.h).
 install(TARGETS diefill RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(TARGETS diefill_opencascade LIBRARY DESTINATION lib/diefill COMPONENT program)
 if(TARGET diefill-mpi) # which diefill starts from beside itself
   install(TARGETS diefill-mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ranks) # in no package: its licence
 endif()

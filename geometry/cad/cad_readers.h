@@ -13,8 +13,13 @@ CadParts read_triangles(const std::filesystem::path& file, const CadFormat& form
 CadParts read_3mf(const std::filesystem::path& file);
 
 /// STEP and IGES (OpenCASCADE). A part is a product that holds faces, placed as the assembly places it. One
-/// larger than 10 m, whose unit must be wrong, is triangulated to no finer than 1e-4 of its size.
+/// larger than 10 m, whose unit must be wrong, is triangulated to no finer than 1e-4 of its size. Loads
+/// OpenCASCADE if load_opencascade() has not.
 CadParts read_curved_faces(const std::filesystem::path& file, const CadFormat& format,
                            double chord_tolerance);
+
+/// Loads OpenCASCADE, once, for the child processes that read with it. Throws MeshError when it is not
+/// installed.
+void load_opencascade();
 
 }  // namespace diefill::geometry

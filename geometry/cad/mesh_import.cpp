@@ -11,6 +11,7 @@
 #include "geometry/cad/cad_child.h"
 #include "geometry/cad/cad_file.h"
 #include "geometry/cad/cad_parts.h"
+#include "geometry/cad/cad_readers.h"
 #include "geometry/cad/read_binary_stl.h"
 #include "geometry/cad/read_text_stl.h"
 #include "geometry/cad/referred_files.h"
@@ -136,7 +137,9 @@ CadParts read(const std::filesystem::path& file, const CadFormat& format, double
   if (format.ending == "stl" && !is_text_stl(bytes) && is_binary_stl(bytes)) return read_binary_stl(bytes);
   try {
     // Triangles are only copied; a few curved faces can take long to mesh finely.
-    const unsigned seconds = format.surface == SurfaceKind::kCurved ? 60 : 10;
+    const bool curved = format.surface == SurfaceKind::kCurved;
+    const unsigned seconds = curved ? 60 : 10;
+    if (curved) load_opencascade();
     return read_in_child([&] { return read_cad_parts(file, format, chord_tolerance); },
                          {bytes.size(), seconds});
   } catch (const ChildError& error) {

@@ -20,7 +20,7 @@ if [ "${3:-}" = children ]; then
   reading=
 fi
 cd "$source"
-for file in cad/cad_file cad/cad_parts cad/mesh_import cad/read_3mf cad/read_binary_stl cad/read_curved_faces \
+for file in cad/cad_file cad/cad_parts cad/mesh_import cad/read_3mf cad/read_binary_stl \
   cad/read_triangles grids/distinct_points grids/point_grid mesh/equal_vertices mesh/half_edges mesh/mesh \
   mesh/mesh_check mesh/mesh_findings mesh/topology mesh/triangle mesh/triangle_tree mesh/winding; do
   object=$out/objects/$(basename "$file").o
@@ -28,9 +28,14 @@ for file in cad/cad_file cad/cad_parts cad/mesh_import cad/read_3mf cad/read_bin
   [ "$object" -nt "geometry/$file.cpp" ] ||
     clang++ $flags "-fsanitize=fuzzer-no-link$sanitizers" -c "geometry/$file.cpp" -o "$object"
 done
+libraries="-lTKXDESTEP -lTKXDEIGES -lTKXCAF -lTKSTEP -lTKIGES -lTKXSBase -lTKLCAF -lTKCDF -lTKMesh -lTKTopAlgo
+-lTKBRep -lTKG3d -lTKMath -lTKernel"
+# Instrumented as the rest, and found before that of BUILD.
+# shellcheck disable=SC2086
+clang++ $flags "-fsanitize=fuzzer-no-link$sanitizers" -fPIC -shared geometry/cad/opencascade/step_and_iges.cpp \
+  -o "$out/libdiefill_opencascade.so" $libraries
 # shellcheck disable=SC2086
 clang++ $flags "-fsanitize=fuzzer$sanitizers" tests/fuzz/guided_fuzz.cpp tests/fuzz/fuzz_input.cpp \
   tests/fuzz/shared_coverage.cpp $reading tests/geometry/mesh_files.cpp tests/geometry/sample_meshes.cpp \
   tests/geometry/broken_files.cpp "$out"/objects/*.o "$build/geometry/libdiefill_geometry.a" -o "$out/import_fuzz" \
-  ${ASSIMP:--lassimp} -lgmp -lmpfr -ltbb -l3MF -lTKXDESTEP -lTKXDEIGES -lTKXCAF -lTKSTEP -lTKIGES -lTKXSBase -lTKLCAF \
-  -lTKCDF -lTKMesh -lTKTopAlgo -lTKBRep -lTKG3d -lTKMath -lTKernel
+  ${ASSIMP:--lassimp} -lgmp -lmpfr -ltbb -l3MF "-Wl,-rpath,$out"

@@ -58,6 +58,7 @@ set(sources ${SOURCE}/tests/install/components)
 do(${CMAKE_COMMAND} -S ${sources} -B ${work}/components -DCMAKE_PREFIX_PATH=${prefix} ${cached})
 do(${CMAKE_COMMAND} --build ${work}/components)
 expect("^1791\\.6 mm\\^3" ${work}/components/use_geometry ${samples}/rectangular_die/punch.stl)
+expect("^[0-9.]+ mm\\^3" ${work}/components/use_geometry ${samples}/shoe/shoe.step)
 expect("^1 passage at 0\\.2 m/s" ${work}/components/use_process ${samples}/rectangular_die/fill.toml)
 expect("no such results file" ${work}/components/use_results ${samples})
 # CMake enables no language within a function: the package says so.

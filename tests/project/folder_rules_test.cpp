@@ -25,7 +25,7 @@ const std::vector<Rule>& rules() {
        {"Eigen/", "CGAL/", "assimp/", "embree3/", "voro++/", "oneapi/tbb/", "tbb/"}},
       {"geometry/cad/read_3mf.cpp", {"geometry/"}, {"Eigen/", "Common/", "Model/COM/"}},
       {"geometry/cad/referred_files.cpp", {"geometry/"}, {"nlohmann/"}},
-      {"geometry/cad/read_curved_faces.cpp",
+      {"geometry/cad/opencascade/",
        {"geometry/"},
        {"BRep", "Bnd_", "IGES", "Interface_", "Message", "Poly_", "STEPCAF", "Standard_", "TColStd_", "TDF_",
         "TDataStd_", "TDocStd_", "TopExp_", "TopoDS", "XCAFDoc_"}},

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <sstream>
 
+#include "project_paths.h"
 #include "tests/app/small_die.h"
-#include "tests/app/step_file.h"
 #include "tests/geometry/mesh_files.h"
 
 namespace diefill::app {
@@ -280,28 +281,26 @@ TEST(CadAsItComes, ComponentsWithinComponentsOf3mfInInchStandWhereTheFileSays) {
   EXPECT_DOUBLE_EQ(found["tools"][0]["metres_per_unit"], 0.0254);
 }
 
-/// small_die() turned back by a quarter.
-StepPart turned_step_die() {
-  return {"die", {{-3.5, -6, -5}, {3.5, 15, 0}}, {{{-2, 1, -4}, {2, 5, 1}}}};
+/// Writes nested.step and placed_twice.step into the die's folder (tests/step_files).
+void write_step_files(const SmallDie& die) {
+  const std::string program =
+      std::filesystem::path(DIEFILL_PROGRAM).replace_filename("step_files").string();
+  ASSERT_EQ(std::system(("'" + program + "' '" + die.folder().string() + "'").c_str()), 0);
 }
 
 TEST(CadAsItComes, NestedProductsOfStepStandWhereTheFileSays) {
   const SmallDie die;
-  const StepPart shoe = {"shoe", {{-3.1, -3.1, 0}, {3.1, 3.1, 10}}, {{{-2.5, -2.5, -1}, {2.5, 2.5, 11}}}};
-  write_step(die.folder() / "press.step", {turned_step_die(), shoe},
-             {{"table", {{"die", {1, {0, 20, -8}}}}},
-              {"press", {{"table", {0, {0, -20, 8}}}, {"shoe", {0, {3, 0, 0}}}}}});
-  die.exchange("file = \"die.stl\"" + kMm, "file = \"press.step\"\npart = \"die\"");
+  write_step_files(die);
+  die.exchange("file = \"die.stl\"" + kMm, "file = \"nested.step\"\npart = \"die\"");
   die.exchange("file = \"shoe.stl\"" + kMm + "\nposition = [\"3 mm\", \"0 mm\", \"0 mm\"]",
-               "file = \"press.step\"\npart = \"shoe\"");
+               "file = \"nested.step\"\npart = \"shoe\"");
   expect_as_plain(die);
 }
 
 TEST(CadAsItComes, AProductThatStepPlacesTwiceIsAskedFor) {
   const SmallDie die;
-  write_step(die.folder() / "press.step", {turned_step_die()},
-             {{"press", {{"die", {1, {0, 0, 0}}}, {"die", {1, {40, 0, 0}}}}}});
-  die.exchange("file = \"die.stl\"" + kMm, "file = \"press.step\"\npart = \"die\"");
+  write_step_files(die);
+  die.exchange("file = \"die.stl\"" + kMm, "file = \"placed_twice.step\"\npart = \"die\"");
   expect_refused(die, {"part \"die\" occurs more than once: \"die (1)\" around (-4.50, 0.00, -2.50) mm, "
                        "\"die (2)\" around (35.50, 0.00, -2.50) mm",
                        "write the full name"});

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace diefill::app {
+namespace diefill::step_files {
 
 /// Corners of an upright block, mm.
 struct Block {
@@ -41,4 +41,4 @@ struct StepAssembly {
 void write_step(const std::filesystem::path& file, const std::vector<StepPart>& parts,
                 const std::vector<StepAssembly>& assemblies);
 
-}  // namespace diefill::app
+}  // namespace diefill::step_files

@@ -1,4 +1,4 @@
-#include "tests/app/step_file.h"
+#include "tests/step_files/step_file.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -13,7 +13,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace diefill::app {
+namespace diefill::step_files {
 
 namespace {
 
@@ -67,4 +67,4 @@ void write_step(const std::filesystem::path& file, const std::vector<StepPart>& 
     throw std::runtime_error("no STEP file could be written");
 }
 
-}  // namespace diefill::app
+}  // namespace diefill::step_files
