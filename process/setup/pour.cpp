@@ -98,11 +98,11 @@ class FreeSpace {
   explicit FreeSpace(const Tooling& tooling) {
     for (const Tool& tool : tooling.tools) solids_.push_back(tool.solid());
   }
-  /// Whether a grain of `radius` (m) can stand at `place` (m).
+  /// Whether a grain of `radius` (m) can stand at `place` (m) without touching a tool: fine powder on stiff
+  /// walls is thrown off by the least overlap.
   bool at(const Eigen::Vector3d& place, double radius) const {
-    return std::ranges::all_of(solids_, [&](const geometry::SolidQuery& solid) {
-      return solid.signed_distance(place) > kNearestTool * radius;
-    });
+    return std::ranges::all_of(
+        solids_, [&](const geometry::SolidQuery& solid) { return solid.signed_distance(place) > radius; });
   }
 
  private:

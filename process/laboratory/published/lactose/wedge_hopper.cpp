@@ -21,7 +21,7 @@ constexpr double kGravity = 9.81;
 constexpr double kDepth = 1.2;                   // over the slot's width, of loose powder in the hopper
 constexpr double kLattice = 1.12, kLoose = 0.5;  // d; solid fraction that `fill_height` is computed with
 constexpr double kSolid = 0.3;                   // of the powder over the gate, about
-constexpr double kFall = 2;                      // over the time of falling from the lattice's middle
+constexpr double kFall = 2;  // over the time of falling from the lattice's middle to the slot
 
 struct Hopper {
   std::string name;  ///< of the run
@@ -71,11 +71,12 @@ LabRun run_of(const Hopper& hopper) {
       (std::ceil(grains / (0.5 * top * hopper.slice / (kLattice * kLattice))) + 2) * kLattice;
   std::string set = powder_lines(lh220(), hopper.packing) + fine_wall_lines(lh220(), hopper.slot * d) +
                     tool_lines(hopper, half_angle);
-  set += line("pour.from", point_in_millimetres(-0.5 * top * d, -0.5 * hopper.slice * d, 0));
-  set += line("pour.to", point_in_millimetres(0.5 * top * d, 0.5 * hopper.slice * d, lattice * d));
+  // From where the wedge is as wide as the box: below it, its corners lie outside the walls.
+  set += line("pour.from", point_in_millimetres(-0.5 * top * d, -0.5 * hopper.slice * d, depth * d));
+  set += line("pour.to", point_in_millimetres(0.5 * top * d, 0.5 * hopper.slice * d, (depth + lattice) * d));
   set += line("pour.fill_height", millimetres(fill * d));
   set += line("numerics.periodic", "{ y = " + millimetres(hopper.slice * d) + " }");
-  set += line("step.fall.duration", with_unit(kFall * std::sqrt(lattice * d / kGravity), "s"));
+  set += line("step.fall.duration", with_unit(kFall * std::sqrt((2 * depth + lattice) * d / kGravity), "s"));
   set += line("step.flow.duration", with_unit(hopper.times * hopper.free_fall(), "s"));
   set += line("probe.slot.origin", point_in_millimetres(0, 0, -d));
   set += line("probe.slot.interval", with_unit(0.01 * hopper.times * hopper.free_fall(), "s"));
