@@ -206,6 +206,29 @@ void check_stl(const std::string& name, const std::string& bytes) {
                     std::to_string(bytes.size()) + " bytes; export or copy it again");
 }
 
+/// Throws where a parameter outside of text is no number, such as nan: OpenCASCADE would compute with it
+/// without end.
+void check_step(const std::string& name, const std::string& bytes) {
+  bool in_text = false;
+  char before = ' ';
+  std::size_t line = 1;
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    const char c = bytes[at];
+    if (c == '\n') ++line;
+    if (c == '\'') in_text = !in_text;
+    const bool begins = before == '(' || before == ',';
+    if (c == ' ' || c == '\t' || c == '\r' || c == '\n') continue;
+    if (begins && (c == '-' || c == '+')) continue;
+    before = c;
+    if (in_text || !begins || std::isalpha(static_cast<unsigned char>(c)) == 0) continue;
+    const std::string word = bytes.substr(at, 3), lower = lower_case(word);
+    const auto after = static_cast<unsigned char>(at + 3 < bytes.size() ? bytes[at + 3] : ')');
+    if ((lower == "nan" || lower == "inf") && std::isalnum(after) == 0 && after != '_')
+      throw MeshError(name + " has \"" + word + "\" for a number in line " + std::to_string(line) +
+                      ": export it again");
+  }
+}
+
 }  // namespace
 
 namespace {
@@ -263,6 +286,7 @@ void check_content_matches_format(const std::filesystem::path& file, const std::
   if (ending == "stl") check_stl(name, bytes);
   if (ending == "ply") check_ply(name, bytes);
   if (ending == "off") check_off(name, bytes);
+  if (ending == "step" || ending == "stp") check_step(name, bytes);
 }
 
 }  // namespace diefill::geometry

@@ -11,9 +11,9 @@ namespace diefill::geometry {
 std::string read_cad_file(const std::filesystem::path& file);
 
 /// Throws MeshError when `bytes` of a file with this `ending` (lower case) are those of another format or
-/// text in UTF-16, hold no triangles (binary STL) or fewer than a header promises (binary STL, PLY, OFF), or
-/// end before `endsolid` (text STL): importers accept some such files silently and ask for unlimited memory
-/// on others.
+/// text in UTF-16, hold no triangles (binary STL) or fewer than a header promises (binary STL, PLY, OFF),
+/// end before `endsolid` (text STL), or have a parameter such as nan (STEP): importers accept some such files
+/// silently and ask for unlimited memory on others.
 void check_content_matches_format(const std::filesystem::path& file, const std::string& ending,
                                   const std::string& bytes);
 

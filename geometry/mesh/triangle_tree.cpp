@@ -18,13 +18,13 @@ constexpr double kHardlyMore = 1 + 1e-9;
 /// largest coordinate: several times what single precision rounds.
 constexpr double kFarther = 1e-6;
 
-float rounded_down(double value) {
+float float_below(double value) {
   const auto near = static_cast<float>(value);
   return near > value ? std::nextafter(near, -std::numeric_limits<float>::infinity()) : near;
 }
 
-float rounded_up(double value) {
-  return -rounded_down(-value);
+float float_above(double value) {
+  return -float_below(-value);
 }
 
 /// One for all trees: starting it takes longer than building a small one.
@@ -86,7 +86,7 @@ class TriangleTree::Scene {
     Hit hit;
     double others = std::numeric_limits<double>::infinity();  ///< m^2, no other triangle is nearer
 
-    float radius_for(double distance) const { return rounded_up(distance * (1 + kFarther) + margin); }
+    float radius_for(double distance) const { return float_above(distance * (1 + kFarther) + margin); }
   };
 
   /// Called on all cores.
@@ -95,12 +95,12 @@ class TriangleTree::Scene {
     const Box box = box_of(scene.tree_.triangles_[asked->primID]);
     const Eigen::Vector3d lower = box.lower - scene.middle_, upper = box.upper - scene.middle_;
     RTCBounds& bounds = *asked->bounds_o;
-    bounds.lower_x = rounded_down(lower.x());
-    bounds.lower_y = rounded_down(lower.y());
-    bounds.lower_z = rounded_down(lower.z());
-    bounds.upper_x = rounded_up(upper.x());
-    bounds.upper_y = rounded_up(upper.y());
-    bounds.upper_z = rounded_up(upper.z());
+    bounds.lower_x = float_below(lower.x());
+    bounds.lower_y = float_below(lower.y());
+    bounds.lower_z = float_below(lower.z());
+    bounds.upper_x = float_above(upper.x());
+    bounds.upper_y = float_above(upper.y());
+    bounds.upper_z = float_above(upper.z());
   }
 
   /// Called with each triangle that may be within the radius; says whether that has become smaller.

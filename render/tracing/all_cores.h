@@ -1,4 +1,4 @@
-// A loop on all cores; kept apart from Qt, whose macro `emit` clashes with a name of oneTBB.
+// A loop on all cores, for files that should not include oneTBB.
 #pragma once
 
 #include <functional>

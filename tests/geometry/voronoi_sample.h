@@ -10,7 +10,7 @@
 
 namespace diefill::geometry {
 
-inline constexpr double kRadius = 7.84e-5;  // m, a size powder really has
+inline constexpr double kGrainRadius = 7.84e-5;  // m, a size powder really has
 
 inline double sphere_volume(double radius) {
   return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;

@@ -1,27 +1,21 @@
 #include "process/measure/figures/zone_history.h"
 
-#include <limits>
-
 #include "process/measure/earlier_instant.h"
+#include "process/results/figure_table.h"
 #include "process/results/probe_columns.h"
 
 namespace diefill::process {
 namespace {
-
-/// The value of a figure; NaN where it has none.
-double figure_of(const results::FillResult& result, const std::string& name) {
-  const auto found = result.figures.find(name);
-  return found != result.figures.end() ? found->second : std::numeric_limits<double>::quiet_NaN();
-}
 
 void add_row(results::FillResult& result, const std::vector<Zone>& zones,
              std::vector<results::ProbeSeries>& histories) {
   result.figures.clear();
   add_zone_figures(result, zones);
   for (std::size_t k = 0; k < zones.size(); ++k)
-    for (const double value : {result.powder.time, figure_of(result, zone_mass_figure(zones[k].name)),
-                               figure_of(result, zone_share_figure(zones[k].name)),
-                               figure_of(result, zone_solid_fraction_figure(zones[k].name))})
+    for (const double value :
+         {result.powder.time, results::figure_of(result, zone_mass_figure(zones[k].name)),
+          results::figure_of(result, zone_share_figure(zones[k].name)),
+          results::figure_of(result, zone_solid_fraction_figure(zones[k].name))})
       histories[k].values.push_back(value);
 }
 

@@ -283,8 +283,7 @@ TEST(CadAsItComes, ComponentsWithinComponentsOf3mfInInchStandWhereTheFileSays) {
 
 /// Writes nested.step and placed_twice.step into the die's folder (tests/step_files).
 void write_step_files(const SmallDie& die) {
-  const std::string program =
-      std::filesystem::path(DIEFILL_PROGRAM).replace_filename("step_files").string();
+  const std::string program = std::filesystem::path(DIEFILL_PROGRAM).replace_filename("step_files").string();
   ASSERT_EQ(std::system(("'" + program + "' '" + die.folder().string() + "'").c_str()), 0);
 }
 

@@ -48,9 +48,9 @@ WallBodySpec floor() {
   return body;
 }
 
-using Reference = reference::AllPairs<coarse_graining::ScaledLaw<laws::GeneralLaw>>;
+using GeneralReference = reference::AllPairs<coarse_graining::ScaledLaw<laws::GeneralLaw>>;
 
-Reference reference_for(const SimulationSettings& settings, const std::vector<NewGrain>& grains) {
+GeneralReference reference_for(const SimulationSettings& settings, const std::vector<NewGrain>& grains) {
   reference::Settings same;
   same.time_step = settings.time_step;
   same.gravity = plain(settings.gravity);
@@ -63,8 +63,8 @@ Reference reference_for(const SimulationSettings& settings, const std::vector<Ne
                                                           laws::make_law(law, scaling.original(pair)));
     };
   };
-  Reference reference(same, maker(contact.between(kPowderMaterial, kPowderMaterial)),
-                      maker(contact.between(kPowderMaterial, kWallMaterial)));
+  GeneralReference reference(same, maker(contact.between(kPowderMaterial, kPowderMaterial)),
+                             maker(contact.between(kPowderMaterial, kWallMaterial)));
   for (const auto& grain : grains)
     reference.balls.push_back({.radius = kRadius,
                                .mass = settings.shape().mass,

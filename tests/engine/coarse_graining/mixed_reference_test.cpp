@@ -10,7 +10,7 @@
 namespace diefill::engine {
 namespace {
 
-using Reference = reference::AllPairs<coarse_graining::ScaledLaw<laws::GeneralLaw>>;
+using GeneralReference = reference::AllPairs<coarse_graining::ScaledLaw<laws::GeneralLaw>>;
 
 /// Three sizes of two materials; unlike materials slide more easily than alike ones, and walls do not pull.
 GrainMix three_kinds(const laws::ScaledCase& given) {
@@ -41,7 +41,7 @@ std::vector<NewGrain> cluster(double speed) {
   return grains;
 }
 
-Reference reference_for(const SimulationSettings& settings, const std::vector<NewGrain>& grains) {
+GeneralReference reference_for(const SimulationSettings& settings, const std::vector<NewGrain>& grains) {
   reference::Settings same;
   same.time_step = settings.time_step;
   same.arm = reference::Arm::surface;
@@ -51,12 +51,13 @@ Reference reference_for(const SimulationSettings& settings, const std::vector<Ne
     return coarse_graining::ScaledLaw<laws::GeneralLaw>(
         mix.scaling, laws::make_law(laws::law_between(mix.laws, a, b), mix.scaling.original(pair)));
   };
-  Reference reference(same, Reference::MakeLawOfKinds([=](const auto& pair, std::size_t i, std::size_t j) {
-                        return law(mix.kinds[i].material, mix.kinds[j].material, pair);
-                      }),
-                      [=](const auto& pair, std::size_t i, std::size_t) {
-                        return law(mix.kinds[i].material, "steel", pair);
-                      });
+  GeneralReference reference(
+      same, GeneralReference::MakeLawOfKinds([=](const auto& pair, std::size_t i, std::size_t j) {
+        return law(mix.kinds[i].material, mix.kinds[j].material, pair);
+      }),
+      [=](const auto& pair, std::size_t i, std::size_t) {
+        return law(mix.kinds[i].material, "steel", pair);
+      });
   for (const auto& grain : grains) {
     const GrainShape& shape = mix.kinds[grain.kind].shape;
     reference.balls.push_back({.radius = shape.sphere_radius,

@@ -1,6 +1,7 @@
 // STEP and IGES: names, units, and triangles within the chord tolerance of the surfaces they stand for.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -97,6 +98,32 @@ TEST(CurvedFaces, AStepFileWithoutUnitNeedsOne) {
   const ImportedPart shoe = import_part(file, options);
   EXPECT_FALSE(shoe.unit_from_file);
   EXPECT_NEAR(shoe.mesh.bounding_box().size().x(), 0.38, 1e-6);
+}
+
+TEST(CurvedFaces, AParameterOfStepThatIsNoNumberIsNamedWithItsLine) {
+  const std::string text = support::contents(kTools + "shoe/shoe.step"), point = "(-19.,-28.,0.)";
+  const support::TemporaryFolder directory;
+  const auto with = [&](const std::string& other) {
+    std::string changed = text;
+    changed.replace(changed.find(point), point.size(), other);
+    return directory.write("changed.step", changed);
+  };
+  for (const char* const wrong : {"(-19.,nan,0.)", "(-19.,-28., -nan(ind))", "(INF,-28.,0.)"}) {
+    try {
+      part_of(with(wrong), "");
+      FAIL() << wrong << " is accepted";
+    } catch (const MeshError& error) {
+      const auto line =
+          1 + std::count(text.begin(), text.begin() + static_cast<long>(text.find(point)), '\n');
+      EXPECT_NE(std::string(error.what()).find("for a number in line " + std::to_string(line)),
+                std::string::npos)
+          << error.what();
+    }
+  }
+  // Names may be anything.
+  std::string named = text;
+  named.replace(named.find("CARTESIAN_POINT('',"), 19, "CARTESIAN_POINT('o''nan, (nan,inf)',");
+  EXPECT_NO_THROW(part_of(directory.write("named.step", named), ""));
 }
 
 TEST(CurvedFaces, TrianglesKeepTheChordTolerance) {

@@ -14,11 +14,11 @@ namespace {
 /// Spheres of several radii in a closed box, none of which reaches into another.
 VoronoiRequest unequal_spheres(unsigned seed) {
   VoronoiRequest request;
-  const Eigen::Vector3d half(10 * kRadius, 8 * kRadius, 9 * kRadius);
+  const Eigen::Vector3d half(10 * kGrainRadius, 8 * kGrainRadius, 9 * kGrainRadius);
   for (const auto& point : random_points(4000, half, seed)) {
-    const double radius = kRadius * (request.sphere_centres.size() < 8        ? 3
-                                     : request.sphere_centres.size() % 3 == 0 ? 1
-                                                                              : 0.4);
+    const double radius = kGrainRadius * (request.sphere_centres.size() < 8        ? 3
+                                          : request.sphere_centres.size() % 3 == 0 ? 1
+                                                                                   : 0.4);
     bool free = true;
     for (std::size_t k = 0; k < request.sphere_centres.size() && free; ++k)
       free = (request.sphere_centres[k] - point).norm() > radius + request.sphere_radii[k];
@@ -26,8 +26,8 @@ VoronoiRequest unequal_spheres(unsigned seed) {
     request.sphere_centres.push_back(point);
     request.sphere_radii.push_back(radius);
   }
-  request.largest_reach = 60 * kRadius;
-  add_box_walls(request, half + Eigen::Vector3d::Constant(3 * kRadius), 1e6 * kRadius);
+  request.largest_reach = 60 * kGrainRadius;
+  add_box_walls(request, half + Eigen::Vector3d::Constant(3 * kGrainRadius), 1e6 * kGrainRadius);
   return request;
 }
 
@@ -35,7 +35,7 @@ TEST(RadicalCells, OfUnequalSpheresFillTheBoxAndHoldTheirSpheres) {
   const VoronoiRequest request = unequal_spheres(4);
   const VoronoiCells cells = voronoi_cells(request);
   ASSERT_GT(cells.volume.size(), 200U);
-  const double box = 8 * 13 * 11 * 12 * std::pow(kRadius, 3);
+  const double box = 8 * 13 * 11 * 12 * std::pow(kGrainRadius, 3);
   EXPECT_NEAR(total(cells), box, 1e-4 * box);
   for (std::size_t k = 0; k < cells.volume.size(); ++k) {
     EXPECT_EQ(cells.open[k], 0);
@@ -47,7 +47,7 @@ TEST(RadicalCells, HoldThePointsOfSmallestPower) {
   // A point belongs to the sphere of smallest distance^2 - radius^2.
   const VoronoiRequest request = unequal_spheres(5);
   const VoronoiCells cells = voronoi_cells(request);
-  const Eigen::Vector3d half(13 * kRadius, 11 * kRadius, 12 * kRadius);
+  const Eigen::Vector3d half(13 * kGrainRadius, 11 * kGrainRadius, 12 * kGrainRadius);
   constexpr int kPoints = 200000;
   std::vector<double> found(cells.volume.size(), 0);
   for (const auto& point : random_points(kPoints, half, 17)) {
@@ -68,36 +68,37 @@ TEST(RadicalCells, HoldThePointsOfSmallestPower) {
 }
 
 TEST(RadicalCells, OfEqualRadiiAreTheOrdinaryOnesBitForBit) {
-  VoronoiRequest request = lattice_between_walls(4, 5, 2 * kRadius);
-  for (auto& centre : request.sphere_centres) centre.x() += 0.1 * kRadius * std::sin(centre.z() / kRadius);
+  VoronoiRequest request = lattice_between_walls(4, 5, 2 * kGrainRadius);
+  for (auto& centre : request.sphere_centres)
+    centre.x() += 0.1 * kGrainRadius * std::sin(centre.z() / kGrainRadius);
   const VoronoiCells ordinary = voronoi_cells(request);
   request.sphere_radii.assign(request.sphere_centres.size(), request.sphere_radius);
   EXPECT_EQ(voronoi_cells(request).volume, ordinary.volume);
 }
 
 TEST(RadicalCells, PlaneBetweenTwoIsWhereTangentsToBothAreEquallyLong) {
-  const double large = 2 * kRadius, small = kRadius, distance = 3.2 * kRadius;
+  const double large = 2 * kGrainRadius, small = kGrainRadius, distance = 3.2 * kGrainRadius;
   VoronoiRequest request;
   request.sphere_centres = {{-0.5 * distance, 0, 0}, {0.5 * distance, 0, 0}};
   request.sphere_radii = {large, small};
-  request.largest_reach = 30 * kRadius;
-  add_box_walls(request, {distance, large, large}, 1e6 * kRadius);
+  request.largest_reach = 30 * kGrainRadius;
+  add_box_walls(request, {distance, large, large}, 1e6 * kGrainRadius);
   const VoronoiCells cells = voronoi_cells(request);
   const double to_plane = (distance * distance + large * large - small * small) / (2 * distance);
   const double area = 4 * large * large;
-  EXPECT_NEAR(cells.volume[0], (0.5 * distance + to_plane) * area, 1e-4 * area * kRadius);
-  EXPECT_NEAR(cells.volume[1], (1.5 * distance - to_plane) * area, 1e-4 * area * kRadius);
+  EXPECT_NEAR(cells.volume[0], (0.5 * distance + to_plane) * area, 1e-4 * area * kGrainRadius);
+  EXPECT_NEAR(cells.volume[1], (1.5 * distance - to_plane) * area, 1e-4 * area * kGrainRadius);
 }
 
 TEST(RadicalCells, OfAPeriodicLatticeByTurnsLargeAndSmallShareTheSpaceOfTwoSites) {
   constexpr int kColumns = 4;
-  VoronoiRequest request = lattice_between_walls(kColumns, 5, 2 * kRadius);
+  VoronoiRequest request = lattice_between_walls(kColumns, 5, 2 * kGrainRadius);
   for (std::size_t n = 0; n < request.sphere_centres.size(); ++n) {
     const std::size_t x = n % kColumns, y = n / kColumns % kColumns, z = n / (kColumns * kColumns);
-    request.sphere_radii.push_back((x + y + z) % 2 == 0 ? 0.95 * kRadius : 0.6 * kRadius);
+    request.sphere_radii.push_back((x + y + z) % 2 == 0 ? 0.95 * kGrainRadius : 0.6 * kGrainRadius);
   }
   const VoronoiCells cells = voronoi_cells(request);
-  const double site = 8 * std::pow(kRadius, 3);
+  const double site = 8 * std::pow(kGrainRadius, 3);
   const std::size_t middle = 2 * kColumns * kColumns;  // first of the layer farthest from the walls
   EXPECT_NEAR(cells.volume[middle] + cells.volume[middle + 1], 2 * site, 1e-9 * site);
   EXPECT_GT(cells.volume[middle], 1.2 * site);
@@ -106,8 +107,8 @@ TEST(RadicalCells, OfAPeriodicLatticeByTurnsLargeAndSmallShareTheSpaceOfTwoSites
 }
 
 TEST(RadicalCells, RefuseRadiiThatDoNotMatch) {
-  VoronoiRequest request = lattice_between_walls(2, 2, 2 * kRadius);
-  request.sphere_radii = {kRadius};
+  VoronoiRequest request = lattice_between_walls(2, 2, 2 * kGrainRadius);
+  request.sphere_radii = {kGrainRadius};
   EXPECT_THROW(voronoi_cells(request), std::invalid_argument);
   request.sphere_radii.assign(request.sphere_centres.size(), 0.0);
   EXPECT_THROW(voronoi_cells(request), std::invalid_argument);
