@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kDiameter = 5e-4, kWidth = 0.014;  // m, original spheres; period
 constexpr double kTouch = 100;                      // Pa, where strain begins
+constexpr double kAbove = 1.02;                     // fill heights: above the bed, denser than it is poured
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct Sizes {
@@ -37,7 +38,8 @@ LabRun run_of(int method, double enlargement, double fill) {
   set += line("pour.to", point_in_millimetres(0.5 * kWidth, 0.5 * kWidth, fill + 0.01));
   set += line("pour.fill_height", millimetres(fill));
   set += line("tool.plate.position", point_in_millimetres(0, 0, 4.4 * fill + 0.022));
-  set += line("step.approach.distance", millimetres(3.55 * fill + 0.02));
+  set += line("step.approach.distance", millimetres((4.4 - kAbove) * fill + 0.02));
+  set += line("step.touch.distance", millimetres(0.2 * fill));
   set += line("step.press.distance", millimetres(0.12 * fill));
   return run;
 }
