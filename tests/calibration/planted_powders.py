@@ -122,6 +122,15 @@ def figure(folder, name):
     return json.load(open(os.path.join(folder, "report.json")))[name]
 
 
+def slopes(folders):
+    """Of the heaps that have one: a plant forms another heap where a slope cannot be measured."""
+    reports = [json.load(open(os.path.join(folder, "report.json"))) for folder in folders]
+    found = [report[HEAP] for report in reports if HEAP in report]
+    if len(found) < 2:
+        raise RuntimeError("fewer than two heaps have a slope: " + ", ".join(folders))
+    return found
+
+
 def noisy(values, noise, generator):
     """Mean of simulated repeats with noise of a plant, and the standard deviation of both."""
     mean = statistics.fmean(values)
@@ -172,7 +181,7 @@ def trial(options, parameters, number):
         if k == 0 and len(parameters) > 2:
             fraction = noisy([figure(each, "bulk_solid_fraction") for each in runs], 0.003, generator)
     heaps = simulated(options, folder, "heap", REPOSE, powder, options.repeats)
-    slope = noisy([figure(each, HEAP) for each in heaps], options.angle_noise, generator)
+    slope = noisy(slopes(heaps), options.angle_noise, generator)
     dies = simulated(options, folder, "die", DIE, powder, options.die_repeats)
     filled = [1e3 * figure(each, "filled_mass_kg") for each in dies]
     die = noisy(filled, max(options.noise * statistics.fmean(filled), BALANCE), generator)
