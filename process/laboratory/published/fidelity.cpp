@@ -46,11 +46,19 @@ bool is_scene_experiment(const std::string& name) {
   return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
 }
 
+/// Why there is no value. Of a run that stops the page names the run; what it says, with places and times, is
+/// in the table of kept results, and the cause in a remark.
+std::string reason_text(const std::string& reason) {
+  const std::size_t failure = reason.find("\" failed: ");
+  if (failure == std::string::npos) return reason;
+  return reason.substr(0, failure + 1) + " stops before its end (message in kept_results.csv)";
+}
+
 /// Size and seeds, how the value was had, and what was measured where that is not the published quantity
 /// itself, such as the deviation of spheres other than the source's.
 std::string note_of(const PublishedFigure& figure, const Measured& measured) {
   const results::LabRow& row = *measured.row;
-  if (row.values.empty()) return row.reason;
+  if (row.values.empty()) return reason_text(row.reason);
   const bool calculated =
       row.values.size() == 1 && row.core_seconds == 0 && !std::isfinite(row.grain_diameter);
   if (calculated) return "calculated, without a bed";

@@ -162,6 +162,21 @@ TEST(Fidelity, HasARowForEveryFigureAndSaysWhyThereIsNoValue) {
       << page;
 }
 
+TEST(Fidelity, NamesARunThatStopsAndLeavesItsMessageToTheTable) {
+  PublishedFigure figure;
+  figure.id = "N03", figure.experiment = "mean_fractions", figure.kind = "value";
+  results::LabRow row;
+  row.id = "N03", row.verdict = "no value";
+  row.reason = "run \"A1\" failed: two spheres overlap by 0.71 of their radius by t = 0.197732 s";
+  results::LabTable table;
+  table.rows.push_back(row);
+  const std::string page = fidelity_page({figure}, {table}, {{"N03", "Small spheres between large ones"}});
+  EXPECT_NE(page.find("| run \"A1\" stops before its end (message in kept_results.csv). Small spheres"),
+            std::string::npos)
+      << page;
+  EXPECT_EQ(page.find("0.197732"), std::string::npos) << page;
+}
+
 TEST(FamilyTables, KeepWhatAnExperimentHasOfPublishedFigures) {
   PublishedFigure figure;
   figure.id = "D01", figure.quantity = "bulk fraction", figure.unit = "1", figure.published = "0.365";
