@@ -25,7 +25,7 @@
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/result_file.h"
 #include "process/results/studies/measured_files.h"
-#include "render/report/measured_section.h"
+#include "render/report/sections/measured_section.h"
 
 namespace diefill::app {
 
@@ -69,12 +69,18 @@ double width_for(const std::string& given, const std::vector<PictureSource>& sou
   return averaging_width_of(given, results);
 }
 
+/// Where the options give no plane, all results are cut in the first section's plane of the first.
+void take_plane(PictureRequest& request, const MapArguments& arguments) {
+  const auto& first = request.sources.front().result;
+  request.plane_given = !arguments.origin.empty() || !arguments.normal.empty();
+  const bool stored = !request.plane_given && !first.sections.empty();
+  request.plane = stored ? first.sections.front().plane
+                         : process::section_plane("section", section_origin(arguments.origin, first),
+                                                  normal_of(arguments.normal));
+}
+
 /// Each source becomes the average of its instants from --from to --to.
 void average_over_time(PictureRequest& request) {
-  if (!request.plane_given && !request.sources.front().result.sections.empty()) {
-    request.plane = request.sources.front().result.sections.front().plane;
-    request.plane_given = true;
-  }
   for (auto& source : request.sources) {
     const double from = request.from.value_or(0), to = request.to.value_or(source.result.powder.time);
     std::size_t instants = 0;
@@ -125,12 +131,9 @@ PictureRequest request_of(const MapArguments& arguments) {
   for (std::size_t k = 0; k < request.sources.size(); ++k)
     read.push_back({arguments.directories[k], &request.sources[k].result});
   require_no_copies("DIR", read);
-  const auto& first = request.sources.front().result;
   request.out = arguments.out.empty() ? arguments.directories.front() : arguments.out;
   request.averaging_width = width_for(arguments.averaging_width, request.sources);
-  request.plane =
-      process::section_plane("section", section_origin(arguments.origin, first), normal_of(arguments.normal));
-  request.plane_given = !arguments.origin.empty() || !arguments.normal.empty();
+  take_plane(request, arguments);
   if (!arguments.from.empty()) request.from = time_of("--from", arguments.from);
   if (!arguments.to.empty()) request.to = time_of("--to", arguments.to);
   std::tie(request.lower, request.upper) = range_of(arguments.look);
@@ -289,7 +292,8 @@ void add_place_options(CLI::App& command, MapArguments& arguments) {
       .add_option("--origin", arguments.origin, "point of the section plane, such as '0 mm' '0 mm' '-5 mm'")
       ->expected(3);
   command.add_option("--normal", arguments.normal,
-                     "normal of the section plane: x, y, z, or three numbers such as 1,0,1");
+                     "normal of the section plane: x, y, z, or three numbers such as 1,0,1 (default: plane "
+                     "of the first section of the first DIR)");
 }
 
 /// When.

@@ -16,7 +16,7 @@
 #include "app/tables/plan_report.h"
 #include "app/tables/rank_report.h"
 #include "app/tables/variant_estimates.h"
-#include "process/estimate/openings.h"
+#include "process/estimate/openings/openings.h"
 #include "process/plan/pilot_cache.h"
 #include "process/tooling/progress.h"
 

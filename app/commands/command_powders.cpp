@@ -5,7 +5,7 @@
 #include "app/exit_code.h"
 #include "app/tables/json_text.h"
 #include "process/results/rounding.h"
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 
 namespace diefill::app {
 

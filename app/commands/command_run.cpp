@@ -20,7 +20,7 @@
 #include "app/tables/check_report.h"
 #include "app/tables/run_summary.h"
 #include "process/cluster/rank_limits.h"
-#include "process/estimate/openings.h"
+#include "process/estimate/openings/openings.h"
 #include "process/input/scene_error.h"
 #include "process/plan/expected_error.h"
 #include "process/powder/material.h"
@@ -30,8 +30,8 @@
 #include "process/run/assemble.h"
 #include "process/run/outcome.h"
 #include "process/run/restart/input_record.h"
+#include "process/scene/powder/unchanged_preset.h"
 #include "process/scene/snapshot_folder.h"
-#include "process/scene/unchanged_preset.h"
 
 namespace diefill::app {
 

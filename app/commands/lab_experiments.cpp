@@ -56,7 +56,7 @@ struct LabArguments {
   std::string size = "coarse", out, powder, scenes, page;
   int seeds = 1, jobs = 1;
   double budget = 0;  ///< core minutes; 0: no limit
-  bool quiet = false, collect = false, film = false;
+  bool quiet = false, collect = false, film = false, prints_tables = true;
 };
 
 fs::path scenes_folder(const std::string& wanted) {
@@ -105,7 +105,7 @@ void keep_tables_of_other_powder(const fs::path& directory, const laboratory::Sc
   });
 }
 
-/// Runs it into `directory`, prints and writes its table and charts.
+/// Runs it into `directory`, prints its table where the arguments say so, and writes it and its charts.
 laboratory::LabOutcome perform_into(const fs::path& directory, const laboratory::SceneExperiment& experiment,
                                     const LabArguments& arguments) {
   const auto setting = setting_of(arguments);
@@ -116,7 +116,7 @@ laboratory::LabOutcome perform_into(const fs::path& directory, const laboratory:
   laboratory::LabOutcome outcome;
   write_output(
       [&] { outcome = laboratory::perform(experiment, setting, figures, jobs_of(arguments, directory)); });
-  std::printf("%s", lab_table_text(outcome.table).c_str());
+  if (arguments.prints_tables) std::printf("%s", lab_table_text(outcome.table).c_str());
   std::fflush(stdout);
   write_output([&] {
     results::write_lab_table(directory, outcome.table);
@@ -281,12 +281,16 @@ void add_fidelity(CLI::App& lab, Action& chosen) {
   auto* page = lab.add_subcommand("fidelity", "Run all experiments with scenes and write FIDELITY.md");
   auto arguments = std::make_shared<LabArguments>();
   add_options(*page, *arguments);
+  page->get_option("--quiet")->description("print no progress and no tables: they are in the page");
   page->add_option("--page", arguments->page,
                    "file to write (default: process/laboratory/FIDELITY.md of a source tree that may be "
                    "written, else FIDELITY.md in the folder of --out); kept_results.csv beside it, with the "
                    "values of all calls, is rewritten too");
   page->footer("Example:\n  diefill lab fidelity --collect --page out/FIDELITY.md");
-  page->callback([arguments, &chosen] { chosen = [arguments] { return fidelity(*arguments); }; });
+  page->callback([arguments, &chosen] {
+    arguments->prints_tables = !arguments->quiet;
+    chosen = [arguments] { return fidelity(*arguments); };
+  });
 }
 
 }  // namespace

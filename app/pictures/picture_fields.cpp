@@ -222,15 +222,13 @@ Pictures make_partial_volume_map(const PictureRequest& request) {
 
 Pictures make_section(const PictureRequest& request) {
   std::vector<results::Field2D> fields;
-  std::vector<results::SectionPlane> planes;
   for (const auto& source : request.sources) {
-    planes.push_back(request.plane_given ? request.plane : source.result.sections.front().plane);
     fields.push_back(process::plane_section(source.result.powder, source.result.solid_fraction,
-                                            source.result.tools, planes.back(), request.averaging_width)
+                                            source.result.tools, request.plane, request.averaging_width)
                          .field);
-    if (fields.back().first.empty())
-      throw std::invalid_argument("section: no powder near the plane; move it with --origin");
+    require_powder_near_plane(request, source, "section", fields.back());
   }
+  const std::vector<results::SectionPlane> planes(fields.size(), request.plane);
   return write_fields(request, "section", fields, planes, style_of(request));
 }
 
@@ -298,14 +296,12 @@ Pictures make_velocity_section(const PictureRequest& request) {
   std::vector<render::FieldStyle> styles;
   std::vector<std::string> subtitles;
   for (const auto& source : request.sources) {
-    const auto plane = request.plane_given ? request.plane : source.result.sections.front().plane;
-    all.push_back(process::plane_vectors(process::velocities(source.result.powder), source.result, plane,
-                                         request.averaging_width));
-    if (all.back().field.first.empty())
-      throw std::invalid_argument("velocity-section: no powder near the plane; move it with --origin");
+    all.push_back(process::plane_vectors(process::velocities(source.result.powder), source.result,
+                                         request.plane, request.averaging_width));
+    require_powder_near_plane(request, source, "velocity-section", all.back().field);
     styles.emplace_back();
-    render::add_section_places(styles.back(), source.result, plane);
-    subtitles.push_back(subtitle_of(source) + ", " + render::section_text(plane));
+    render::add_section_places(styles.back(), source.result, request.plane);
+    subtitles.push_back(subtitle_of(source) + ", " + render::section_text(request.plane));
   }
   use_readable_unit(all);
   return write_arrows(request, "velocity_section", "velocity", all, std::move(styles), subtitles);

@@ -95,6 +95,17 @@ void require_ring(const PictureRequest& request, const std::string& picture, con
       throw std::invalid_argument(picture + " needs a ring; use " + others + " for other cavities");
 }
 
+void require_powder_near_plane(const PictureRequest& request, const PictureSource& source,
+                               const std::string& picture, const results::Field2D& section) {
+  if (!section.first.empty()) return;
+  if (request.sources.size() < 2)
+    throw std::invalid_argument(picture + ": no powder near the plane; move it with --origin");
+  throw std::invalid_argument(picture + ": found no powder of " + source.name +
+                              " near the plane, which is the same for all results (" +
+                              render::section_text(request.plane) +
+                              "); move it with --origin and --normal, or draw each result alone");
+}
+
 std::string legend_of(const PictureRequest& request, const PictureSource& source) {
   return request.sources.size() > 1 ? source.name : std::string();
 }

@@ -46,6 +46,10 @@ std::vector<std::filesystem::path> write_chart(const PictureRequest& request, co
 /// then.
 void require_ring(const PictureRequest& request, const std::string& picture, const std::string& others);
 
+/// Throws std::invalid_argument where the source's section in the request's plane is empty.
+void require_powder_near_plane(const PictureRequest& request, const PictureSource& source,
+                               const std::string& picture, const results::Field2D& section);
+
 /// Legend name of a source: none where it is alone.
 std::string legend_of(const PictureRequest& request, const PictureSource& source);
 

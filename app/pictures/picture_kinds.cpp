@@ -1,8 +1,7 @@
 #include "app/pictures/picture_kinds.h"
 
-#include <algorithm>
-
-#include "process/input/nearest_key.h"
+#include "app/options/choices.h"
+#include "process/input/scene_error.h"
 
 namespace diefill::app {
 namespace {
@@ -66,12 +65,7 @@ const PictureKind& picture_kind(const std::string& name) {
     if (kind.name == name) return kind;
     names.emplace_back(kind.name);
   }
-  std::string message = "--picture: found \"" + name + "\"";
-  if (const auto nearest = process::nearest_key(name, names))
-    message += "; did you mean \"" + *nearest + "\"?";
-  message += " Allowed:";
-  for (const auto& known : names) message += " " + known;
-  throw process::SceneError(message);
+  throw process::SceneError("--picture: " + unknown_name(name, names));
 }
 
 }  // namespace diefill::app

@@ -23,9 +23,9 @@ struct PictureSource {
 struct PictureRequest {
   std::vector<PictureSource> sources;
   std::filesystem::path out;
-  double averaging_width = 0;  ///< m, the same for all sources
-  results::SectionPlane plane;
-  bool plane_given = false;
+  double averaging_width = 0;      ///< m, the same for all sources
+  results::SectionPlane plane;     ///< of sections, the same for all sources
+  bool plane_given = false;        ///< by the user
   std::optional<double> from, to;  ///< s, instants to compare
   double lower, upper;             ///< of colour scales; NaN: from the data
   std::string colour_by;           ///< of shaded views

@@ -1,7 +1,5 @@
 #include "app/pictures/sampled_fields.h"
 
-#include <stdexcept>
-
 #include "process/measure/fields/ring_sample.h"
 
 namespace diefill::app {
@@ -21,13 +19,11 @@ SampledFields sampled_sections(const PictureRequest& request, const std::string&
   SampledFields sampled;
   for (const auto& source : request.sources) {
     const auto& result = source.result;
-    const auto plane = request.plane_given ? request.plane : result.sections.front().plane;
-    sampled.fields.push_back(process::sample_plane(result.powder, result.solid_fraction, result.tools, plane,
-                                                   request.averaging_width, value_of(result))
+    sampled.fields.push_back(process::sample_plane(result.powder, result.solid_fraction, result.tools,
+                                                   request.plane, request.averaging_width, value_of(result))
                                  .field);
-    if (sampled.fields.back().first.empty())
-      throw std::invalid_argument(picture + ": no powder near the plane; move it with --origin");
-    sampled.planes.push_back(plane);
+    require_powder_near_plane(request, source, picture, sampled.fields.back());
+    sampled.planes.push_back(request.plane);
   }
   return sampled;
 }

@@ -22,7 +22,7 @@ struct SampledFields {
 /// Over azimuth and height. Throws std::invalid_argument for cavities that are no rings.
 SampledFields sampled_maps(const PictureRequest& request, const ValueOfResult& value_of);
 
-/// In the request's plane, or in the first section of each source. Throws std::invalid_argument, with the
+/// In the request's plane. Throws std::invalid_argument, with the
 /// name of the `picture`, where no powder is near.
 SampledFields sampled_sections(const PictureRequest& request, const std::string& picture,
                                const ValueOfResult& value_of);

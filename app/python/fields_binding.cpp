@@ -47,50 +47,19 @@ py::array rows_of(const py::object& self) {
   return view_of(probe.values.data(), {rows, columns}, self);
 }
 
-py::array column_of(const py::object& self, const std::string& name) {
+py::array column_of(const py::object& self, const py::object& key) {
+  if (!py::isinstance<py::str>(key))
+    throw py::type_error("Probe: found a column of type " +
+                         std::string(py::str(py::type::of(key).attr("__name__"))) +
+                         ", expected its name as a text; `columns` lists all");
+  const auto name = key.cast<std::string>();
   const auto& columns = self.cast<const ProbeSeries&>().columns;
   const auto found = std::find(columns.begin(), columns.end(), name);
   if (found == columns.end()) throw py::key_error(name + ": no such column; `columns` lists all");
   return rows_of(self)[py::make_tuple(py::ellipsis(), found - columns.begin())];
 }
 
-void add_curves(py::module_& module) {
-  py::class_<Profile>(module, "Profile", "A curve, such as the fill level over the azimuth.")
-      .def_readonly("quantity", &Profile::quantity, "such as \"fill level\"")
-      .def_readonly("unit", &Profile::unit, "of y")
-      .def_readonly("x_name", &Profile::x_name, "such as \"azimuth\"")
-      .def_readonly("x_unit", &Profile::x_unit, "of x")
-      .def_property_readonly("x", shown(&Profile::x), "(n,) in x_unit")
-      .def_property_readonly("y", shown(&Profile::y), "(n,) in unit; NaN where nothing was found");
-  py::class_<ProbeSeries>(module, "Probe",
-                          "What a probe recorded while the scene ran; probe[column] is one column.")
-      .def_readonly("name", &ProbeSeries::name, "in the scene")
-      .def_readonly("columns", &ProbeSeries::columns, "names; the first is the time")
-      .def_readonly("units", &ProbeSeries::units, "one a column")
-      .def_property_readonly("values", rows_of, "(rows, columns)")
-      .def("__getitem__", column_of, "(rows,) one column, in its unit. Raises KeyError for an unknown name.");
-}
-
-void add_records(py::module_& module) {
-  py::class_<Stage>(module, "Stage", "One stage of the schedule as it happened.")
-      .def_readonly("tool", &Stage::tool, "tool that moved; empty: none")
-      .def_readonly("words", &Stage::words, "such as \"1 passage at 0.2 m/s\"")
-      .def_readonly("start", &Stage::start, "s since the start of the scene")
-      .def_readonly("end", &Stage::end, "s since the start of the scene");
-  py::class_<ToolCheck>(module, "ToolCheck", "What the check of a tool's mesh and wall spheres found.")
-      .def_readonly("tool", &ToolCheck::tool, "its name in the scene")
-      .def_readonly("file", &ToolCheck::file, "its CAD file, without folders")
-      .def_readonly("findings", &ToolCheck::findings, "about the mesh; empty: none")
-      .def_readonly("volume", &ToolCheck::volume, "m^3, enclosed by the mesh")
-      .def_readonly("mean_deviation", &ToolCheck::mean_deviation,
-                    "m, of the wall spheres' envelope from the CAD surface")
-      .def_readonly("largest_deviation", &ToolCheck::largest_deviation, "m")
-      .def_readonly("largest_gap", &ToolCheck::largest_gap, "m, between wall spheres");
-}
-
-}  // namespace
-
-void add_fields(py::module_& module) {
+void add_grids(py::module_& module) {
   py::class_<Field2D>(module, "Field", "A field on a rectangular grid.")
       .def_readonly("quantity", &Field2D::quantity, "such as \"solid fraction\"")
       .def_readonly("first_name", &Field2D::first_name, "of the coordinate that varies along a row of values")
@@ -116,8 +85,45 @@ void add_fields(py::module_& module) {
                              "(3,) unit vector")
       .def_readonly("field", &SectionField::field,
                     "on the plane, in mm from origin along first_axis and second_axis");
-  add_curves(module);
-  add_records(module);
+}
+
+void add_curves(py::module_& module) {
+  py::class_<Profile>(module, "Profile", "A curve, such as the fill level over the azimuth.")
+      .def_readonly("quantity", &Profile::quantity, "such as \"fill level\"")
+      .def_readonly("unit", &Profile::unit, "of y")
+      .def_readonly("x_name", &Profile::x_name, "such as \"azimuth\"")
+      .def_readonly("x_unit", &Profile::x_unit, "of x")
+      .def_property_readonly("x", shown(&Profile::x), "(n,) in x_unit")
+      .def_property_readonly("y", shown(&Profile::y), "(n,) in unit; NaN where nothing was found");
+  py::class_<ProbeSeries>(module, "Probe",
+                          "What a probe recorded while the scene ran; probe[column] is one column.")
+      .def_readonly("name", &ProbeSeries::name, "in the scene")
+      .def_readonly("columns", &ProbeSeries::columns, "names; the first is the time")
+      .def_readonly("units", &ProbeSeries::units, "one a column")
+      .def_property_readonly("values", rows_of, "(rows, columns)")
+      .def("__getitem__", column_of,
+           "(rows,) one column, in its unit. Raises KeyError for an unknown name, TypeError for what is no "
+           "text.");
+}
+
+void add_records(py::module_& module) {
+  py::class_<Stage>(module, "Stage", "One stage of the schedule as it happened.")
+      .def_readonly("tool", &Stage::tool, "tool that moved; empty: none")
+      .def_readonly("words", &Stage::words, "such as \"1 passage at 0.2 m/s\"")
+      .def_readonly("start", &Stage::start, "s since the start of the scene")
+      .def_readonly("end", &Stage::end, "s since the start of the scene");
+  py::class_<ToolCheck>(module, "ToolCheck", "What the check of a tool's mesh and wall spheres found.")
+      .def_readonly("tool", &ToolCheck::tool, "its name in the scene")
+      .def_readonly("file", &ToolCheck::file, "its CAD file, without folders")
+      .def_readonly("findings", &ToolCheck::findings, "about the mesh; empty: none")
+      .def_readonly("volume", &ToolCheck::volume, "m^3, enclosed by the mesh")
+      .def_readonly("mean_deviation", &ToolCheck::mean_deviation,
+                    "m, of the wall spheres' envelope from the CAD surface")
+      .def_readonly("largest_deviation", &ToolCheck::largest_deviation, "m")
+      .def_readonly("largest_gap", &ToolCheck::largest_gap, "m, between wall spheres");
+}
+
+void add_tooling(py::module_& module) {
   py::class_<ToolState>(module, "Tool", "A tool as it stood at the end of the run, laboratory frame.")
       .def_readonly("name", &ToolState::name, "in the scene")
       .def_readonly("role", &ToolState::role, "die, core, punch, shoe or plate")
@@ -138,6 +144,15 @@ void add_fields(py::module_& module) {
                              "(3,) m, of the box around the cavity")
       .def_property_readonly("upper_corner", vector_of(&CavityState::upper_corner),
                              "(3,) m, of the box around the cavity; its z is the fill plane");
+}
+
+}  // namespace
+
+void add_fields(py::module_& module) {
+  add_grids(module);
+  add_curves(module);
+  add_records(module);
+  add_tooling(module);
 }
 
 }  // namespace diefill::python

@@ -1,5 +1,8 @@
 #include <pybind11/stl.h>
 
+#include <optional>
+#include <utility>
+
 #include "app/python/results_module.h"
 #include "process/results/figure_table.h"
 #include "process/results/storage/result_file.h"
@@ -21,6 +24,18 @@ auto by_name(std::vector<Entry> FillResult::*list, const Name& name) {
       entries[py::str(name(entry))] = py::cast(&entry, py::return_value_policy::reference_internal, self);
     return entries;
   };
+}
+
+std::optional<std::pair<std::string, std::string>> meaning_of(const std::string& name) {
+  const results::Figure* figure = results::find_figure(name);
+  if (figure == nullptr) return std::nullopt;
+  return std::pair<std::string, std::string>(figure->unit, figure->meaning);
+}
+
+std::vector<std::string> figure_names() {
+  std::vector<std::string> names;
+  for (const results::Figure& figure : results::figure_table()) names.emplace_back(figure.name);
+  return names;
 }
 
 /// The topics of the run: statement by name, for each topic.
@@ -101,8 +116,11 @@ void add_run(py::module_& module) {
       "read", [](const std::string& directory) { return results::read_results(directory); },
       py::arg("directory"),
       "Reads directory/results.h5. Raises ResultError naming the file and what is wrong with it.");
-  module.def("figure_meaning", &results::figure_meaning, py::arg("name"),
-             "Unit of a figure (\"1\": a plain number), and how it is formed.");
+  module.def(
+      "figure_meaning", &meaning_of, py::arg("name"),
+      "Unit of a figure (\"1\": a plain number), and how it is formed; None: there is no such figure.");
+  module.def("figure_names", &figure_names,
+             "Names of all figures; * stands for the name of an item of a scene.");
 }
 
 }  // namespace diefill::python

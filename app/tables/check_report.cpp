@@ -4,7 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "process/estimate/wording.h"
+#include "process/estimate/statements/wording.h"
 
 namespace diefill::app {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "process/setup/setup_findings.h"
-#include "process/tooling/diagnosis.h"
+#include "process/tooling/examination/diagnosis.h"
 #include "render/scene3d/findings.h"
 
 namespace diefill::app {

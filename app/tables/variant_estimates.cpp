@@ -6,7 +6,7 @@
 
 #include "app/tables/estimate_report.h"
 #include "app/tables/text_column.h"
-#include "process/estimate/wording.h"
+#include "process/estimate/statements/wording.h"
 #include "process/results/formatted.h"
 #include "process/results/json_numbers.h"
 

@@ -47,6 +47,8 @@ class Simulation {
   /// 0. All grains wake. Throws std::invalid_argument as the constructor does; the time step is the caller's
   /// to keep below the new critical one.
   void set_contact(const ContactLaws& contact);
+  /// Every grain comes to rest: no velocity, no rotation. All grains wake.
+  void stop_grains();
   /// Gives every grain added(id) (m/s) more velocity. All grains wake.
   void add_velocities(const std::function<Eigen::Vector3d(std::uint64_t)>& added);
 

@@ -144,6 +144,15 @@ void Simulation::set_contact(const ContactLaws& contact) {
   });
 }
 
+void Simulation::stop_grains() {
+  change_energy([&] {
+    for (auto& velocity : state_.grains.velocity) velocity.setZero();
+    for (auto& spin : state_.grains.spin) spin.setZero();
+    state_.sleep.wake_all();
+    sort_and_search(state_, *policy_);
+  });
+}
+
 void Simulation::add_velocities(const std::function<Eigen::Vector3d(std::uint64_t)>& added) {
   change_energy([&] {
     for (std::size_t k = 0; k < state_.grains.size(); ++k)

@@ -18,7 +18,7 @@ CadParts read_3mf(const std::filesystem::path& file);
 CadParts read_curved_faces(const std::filesystem::path& file, const CadFormat& format,
                            double chord_tolerance);
 
-/// Loads OpenCASCADE, once, for the child processes that read with it. Throws MeshError when it is not
+/// Loads OpenCASCADE, once, for the child processes that read with it. Throws MissingLibrary when it is not
 /// installed.
 void load_opencascade();
 

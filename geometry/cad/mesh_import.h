@@ -42,11 +42,18 @@ struct UnknownPart : MeshError {
   std::vector<std::string> known;  ///< names of the parts that are
 };
 
+/// A library that reads files of this format is not installed: no fault of the file. The message is one line
+/// for people: finding, what to do.
+struct MissingLibrary : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Reads `file`; wanted_parts() defines which parts a name selects. Vertices closer than 1e-7 of the bounding
 /// box's diagonal are merged; parts are placed by the file's transformations. Throws MeshError when the file
 /// is missing, a directory, empty, truncated, of unknown format, has no unit and none is given, states
 /// another unit than the one given, or holds no triangles or coordinates that are not finite; UnreadableFile
-/// when a library cannot read it, crashes or takes too much; UnknownPart when there is no part of that name.
+/// when a library cannot read it, crashes or takes too much; UnknownPart when there is no part of that name;
+/// MissingLibrary when the library that reads the format is not installed.
 ImportedPart import_part(const std::filesystem::path& file, const ImportOptions& options);
 
 /// Everything in `file`, whose coordinates are in units of `metres_per_unit` (0.001 for mm), as one mesh.

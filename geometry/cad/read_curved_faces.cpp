@@ -3,6 +3,7 @@
 #include <string>
 
 #include "geometry/cad/cad_readers.h"
+#include "geometry/cad/mesh_import.h"
 #include "geometry/cad/opencascade/step_and_iges.h"
 
 namespace diefill::geometry {
@@ -13,9 +14,9 @@ using Reader = decltype(&diefill_read_step_or_iges);
 
 [[noreturn]] void refuse() {
   const char* const why = dlerror();
-  throw MeshError("STEP and IGES cannot be read, because a library is missing (" +
-                  std::string(why == nullptr ? DIEFILL_OPENCASCADE : why) +
-                  "): install diefill again, or export the parts as STL");
+  throw MissingLibrary("STEP and IGES cannot be read, because a library is missing (" +
+                       std::string(why == nullptr ? DIEFILL_OPENCASCADE : why) +
+                       "): install diefill again, or export the parts as STL");
 }
 
 /// The library lies where the run path of the program says: in lib/diefill, beside bin.

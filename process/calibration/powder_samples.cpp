@@ -12,7 +12,7 @@
 #include "process/input/table_reader.h"
 #include "process/results/studies/quantiles.h"
 #include "process/scene/key_path.h"
-#include "process/scene/powder_file.h"
+#include "process/scene/powder/powder_file.h"
 #include "process/scene/scene_text.h"
 
 namespace diefill::process::calibration {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "process/scene/powder_file.h"
+#include "process/scene/powder/powder_file.h"
 #include "process/scene/scene_text.h"
 
 namespace diefill::process::calibration {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "process/estimate/answer.h"
 #include "process/estimate/opening_estimate.h"
-#include "process/estimate/outlet.h"
+#include "process/estimate/openings/outlet.h"
 #include "process/estimate/powder_estimate.h"
-#include "process/estimate/scene_numbers.h"
+#include "process/estimate/statements/answer.h"
+#include "process/estimate/statements/scene_numbers.h"
+#include "process/estimate/statements/wording.h"
 #include "process/estimate/suction_estimate.h"
-#include "process/estimate/wording.h"
 #include "process/estimate/work_of_steps.h"
 
 namespace diefill::process::estimate {

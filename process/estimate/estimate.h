@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "process/estimate/exposure.h"
-#include "process/estimate/known_error.h"
-#include "process/estimate/powder_discharge.h"
+#include "process/estimate/discharge/powder_discharge.h"
+#include "process/estimate/openings/exposure.h"
+#include "process/estimate/statements/known_error.h"
 
 namespace diefill::process::estimate {
 

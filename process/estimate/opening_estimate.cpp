@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "process/estimate/filling.h"
-#include "process/estimate/punch_room.h"
+#include "process/estimate/discharge/filling.h"
+#include "process/estimate/openings/punch_room.h"
 #include "process/estimate/trapped_air.h"
 
 namespace diefill::process::estimate {

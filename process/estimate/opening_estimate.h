@@ -1,8 +1,8 @@
 // What an estimate says about one opening.
 #pragma once
 
+#include "process/estimate/discharge/inflow.h"
 #include "process/estimate/estimate.h"
-#include "process/estimate/inflow.h"
 
 namespace diefill::process::estimate {
 

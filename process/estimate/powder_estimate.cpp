@@ -7,7 +7,7 @@
 #include "process/machine/actions/powder_inflow.h"
 #include "process/powder/material.h"
 #include "process/run/suction.h"
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 #include "process/tooling/stages.h"
 
 namespace diefill::process::estimate {

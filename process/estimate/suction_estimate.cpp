@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "process/continuum/air.h"
-#include "process/estimate/punch_room.h"
-#include "process/estimate/shoe_poses.h"
+#include "process/estimate/openings/punch_room.h"
+#include "process/estimate/openings/shoe_poses.h"
 
 namespace diefill::process::estimate {
 

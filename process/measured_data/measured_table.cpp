@@ -163,7 +163,8 @@ Columns columns_in(const std::filesystem::path& path,
     for (std::size_t k = 0; k < read.columns.size(); ++k) read.columns[k].values.push_back(file.number(k));
     read.lines.push_back(file.line());
   }
-  if (read.lines.empty()) throw SceneError(path.string() + ": found no measured values");
+  if (read.lines.empty())
+    throw SceneError(path.string() + ": found no measured values; give a heading and a line for each value");
   return read;
 }
 

@@ -9,7 +9,7 @@
 #include "process/plan/setting.h"
 #include "process/results/formatted.h"
 #include "process/results/word_list.h"
-#include "process/scene/unchanged_preset.h"
+#include "process/scene/powder/unchanged_preset.h"
 
 namespace diefill::process::plan {
 

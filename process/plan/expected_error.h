@@ -26,7 +26,7 @@ struct SceneLengths {
   bool heap = false;   ///< whether the slope of a heap is measured
 };
 
-/// `opening` (m) comes from estimate/openings.h.
+/// `opening` (m) comes from estimate/openings/openings.h.
 SceneLengths lengths_of(const Scene& scene, const Tooling& tooling, double opening);
 
 /// The errors to be expected with grains of this diameter d (m), against grains of no size: the largest over

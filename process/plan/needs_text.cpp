@@ -4,7 +4,7 @@
 #include "process/plan/needs.h"
 #include "process/plan/setting.h"
 #include "process/results/formatted.h"
-#include "process/scene/contact_spec.h"
+#include "process/scene/contact/contact_spec.h"
 
 namespace diefill::process::plan {
 
@@ -131,6 +131,25 @@ void add_symmetry_statement(const Needs& needs, std::vector<std::string>& lines)
   }
 }
 
+/// Steps whose `until` may end them before their duration is over, such as "step.2 (press)".
+std::string steps_that_may_end_earlier(const Scene& scene) {
+  std::string names;
+  for (std::size_t k = 0; k < scene.steps.size(); ++k) {
+    const Step& step = *scene.steps[k];
+    if (!step.plan.until || step.open_ended() || !step.duration()) continue;
+    names += (names.empty() ? "step." : ", step.") + std::to_string(k + 1);
+    if (!step.plan.name.empty()) names += " (" + step.plan.name + ")";
+  }
+  return names;
+}
+
+void add_length_statement(const Scene& scene, std::vector<std::string>& lines) {
+  const std::string names = steps_that_may_end_earlier(scene);
+  if (!names.empty())
+    lines.push_back("simulated time: the longest possible of " + names +
+                    ", which `until` may end earlier; time and steps below are upper limits in this respect");
+}
+
 }  // namespace
 
 std::vector<std::string> description(const Needs& needs, const Scene& scene, const Tooling& tooling) {
@@ -141,6 +160,7 @@ std::vector<std::string> description(const Needs& needs, const Scene& scene, con
   add_walls_statement(scene, tooling, lines);
   add_powder_statement(needs, scene, lines);
   add_symmetry_statement(needs, lines);
+  add_length_statement(scene, lines);
   lines.push_back("laws in use: " + joined(needs.laws.used));
   lines.push_back("omitted laws (zero coefficient): " + joined(needs.laws.left_out));
   return lines;

@@ -7,7 +7,7 @@
 #include "process/plan/pilot_cache.h"
 #include "process/plan/settle.h"
 #include "process/powder/material.h"
-#include "process/scene/unchanged_preset.h"
+#include "process/scene/powder/unchanged_preset.h"
 #include "process/setup/build_tooling.h"
 #include "process/setup/cover_tooling.h"
 #include "process/setup/predicted_work.h"

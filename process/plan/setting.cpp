@@ -8,7 +8,7 @@
 #include "process/input/shown_value.h"
 #include "process/powder/material.h"
 #include "process/results/formatted.h"
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 #include "process/scene/reading/sections.h"
 #include "process/scene/scene_text.h"
 #include "process/setup/impact_speed.h"

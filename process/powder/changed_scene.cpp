@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "process/scene/contact_spec.h"
+#include "process/scene/contact/contact_spec.h"
 
 namespace diefill::process {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "engine/simulation/settings.h"
 #include "process/powder/tool_surface.h"
-#include "process/scene/contact_spec.h"
+#include "process/scene/contact/contact_spec.h"
 
 namespace diefill::process {
 

@@ -5,7 +5,7 @@
 #include "engine/simulation/simulation.h"
 #include "process/powder/changed_scene.h"
 #include "process/powder/powder_mixture.h"
-#include "process/scene/contact_spec.h"
+#include "process/scene/contact/contact_spec.h"
 
 namespace diefill::process {
 

@@ -4,7 +4,7 @@
 #include "engine/laws/bierwisch_law.h"
 #include "engine/powder/materials.h"
 #include "process/powder/tool_surface.h"
-#include "process/scene/contact_spec.h"
+#include "process/scene/contact/contact_spec.h"
 
 namespace diefill::process {
 

@@ -230,6 +230,12 @@ const Figure& figure_called(const std::string& name) {
   return *figure;
 }
 
+StoredAs stored_as(const std::string& name, const std::string& shown_unit) {
+  const Figure* figure = find_figure(name);
+  if (figure == nullptr || figure->shown.unit != shown_unit) return {shown_unit, 1};
+  return {figure->unit, figure->shown.factor};
+}
+
 std::string capitalised(std::string text) {
   if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   return text;

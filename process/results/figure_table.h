@@ -41,6 +41,16 @@ const Figure* find_figure(const std::string& name);
 /// The same for names in the program's own source. Throws std::out_of_range for unknown ones.
 const Figure& figure_called(const std::string& name);
 
+/// A unit, and what numbers in the shown unit are divided by to be in it.
+struct StoredAs {
+  std::string unit;
+  double divisor;
+};
+
+/// From numbers of the figure `name` in `shown_unit` to those that report.json has under this name. Those of
+/// other names, or in a unit in which the figure is not shown, stay as they are.
+StoredAs stored_as(const std::string& name, const std::string& shown_unit);
+
 /// The text with its first letter as a capital.
 std::string capitalised(std::string text);
 

@@ -134,17 +134,12 @@ double cycle_time(const Scene& scene, const Schedule& schedule) {
   return time;
 }
 
-void add_figures(const Scene& scene, results::FillResult& result, const Tooling& tooling,
-                 const FillRun& run) {
+/// Time steps, the times that the scene and the computation took, and speed.
+void add_time_figures(const Scene& scene, results::FillResult& result, const FillRun& run) {
   const engine::Simulation& simulation = run.simulation();
   const auto& settings = simulation.settings();
-  const auto grains = static_cast<double>(result.powder.id.size());
   auto& figures = result.figures;
   figures["finished"] = run.schedule().finished() ? 1 : 0;
-  figures["filled_mass_kg"] = filled_mass(result.powder, result.solid_fraction);
-  figures["grains"] = grains;
-  figures["spheres"] = static_cast<double>(result.powder.sphere_count());
-  figures["wall_spheres"] = static_cast<double>(tooling.wall_spheres());
   figures["steps"] = static_cast<double>(simulation.steps());
   figures["time_step_s"] = settings.time_step;
   figures["critical_time_step_s"] = run.critical_time_step();
@@ -156,14 +151,33 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["sphere_steps_per_second"] = static_cast<double>(run.sphere_steps()) / run.wall_seconds();
   figures["threads"] = settings.threads;
   if (run.ranks() > 1) figures["ranks"] = run.ranks();
-  add_margin_figures(result, run);
+  for (std::size_t phase = 0; phase < engine::kPhaseNames.size(); ++phase)
+    result.phase_seconds[engine::kPhaseNames[phase]] = simulation.timers().seconds()[phase];
+}
+
+/// Grains that are no longer there.
+void add_loss_figures(results::FillResult& result, const Tooling& tooling, const FillRun& run) {
+  auto& figures = result.figures;
   const double left = copies(tooling) * static_cast<double>(run.grains_removed());
+  const auto grains = static_cast<double>(result.powder.id.size());
   figures["grains_left"] = left;
   figures["grains_sheared"] = copies(tooling) * static_cast<double>(run.grains_sheared());
   figures["grains_left_share"] = left > 0 ? left / (left + grains + figures["grains_sheared"]) : 0;
   figures["mass_left_kg"] = copies(tooling) * run.mass_removed();
+}
+
+void add_figures(const Scene& scene, results::FillResult& result, const Tooling& tooling,
+                 const FillRun& run) {
+  auto& figures = result.figures;
+  figures["filled_mass_kg"] = filled_mass(result.powder, result.solid_fraction);
+  figures["grains"] = static_cast<double>(result.powder.id.size());
+  figures["spheres"] = static_cast<double>(result.powder.sphere_count());
+  figures["wall_spheres"] = static_cast<double>(tooling.wall_spheres());
+  add_time_figures(scene, result, run);
+  add_margin_figures(result, run);
+  add_loss_figures(result, tooling, run);
   figures["grain_diameter_m"] = result.powder.grain_diameter;
-  if (!simulation.types().monodisperse()) {
+  if (!run.simulation().types().monodisperse()) {
     figures["smallest_grain_diameter_m"] = smallest_grain(scene);
     figures["largest_grain_diameter_m"] = largest_grain(scene);
   }
@@ -174,8 +188,6 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
     if (result.cavity.narrowest_width > 0)
       figures["grain_diameter_over_cavity_width"] = largest_grain(scene) / result.cavity.narrowest_width;
   }
-  for (std::size_t phase = 0; phase < engine::kPhaseNames.size(); ++phase)
-    result.phase_seconds[engine::kPhaseNames[phase]] = simulation.timers().seconds()[phase];
 }
 
 std::vector<results::ToolCheck> tool_checks(const Tooling& tooling) {

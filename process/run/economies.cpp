@@ -5,7 +5,7 @@
 
 #include "engine/observe/powder_figures.h"
 #include "process/input/units.h"
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 #include "process/scene/walls_without_effect.h"
 
 namespace diefill::process {

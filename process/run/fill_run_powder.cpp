@@ -77,6 +77,7 @@ void FillRun::change_powder() {
     const PowderChange* change = scene_.steps[k]->change();
     if (change == nullptr || schedule_.of_step(k).started != simulation_->time()) continue;
     apply_changed_laws();
+    if (change->at_rest) simulation_->stop_grains();
     if (change->random_velocity > 0) add_random_velocities(change->random_velocity, k);
   }
 }

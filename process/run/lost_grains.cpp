@@ -14,14 +14,16 @@ namespace {
 constexpr double kMaxVoxels = 5e7;  // of a tool, one byte each
 
 engine::OutOfRange through_the_wall(const engine::Simulation& simulation, std::size_t k, double depth,
-                                    const std::string& tool) {
+                                    const Tool& tool) {
   const Eigen::Vector3d place = 1e3 * simulation.grains().position[k];
-  char text[300];
+  char text[400];
   std::snprintf(text, sizeof text,
                 "grain %llu is %.3g mm inside tool \"%s\" at (%.2f, %.2f, %.2f) mm, t = %.6g s: it passed "
-                "through the wall; reduce the spacing of the wall spheres or the speed of the tool",
-                static_cast<unsigned long long>(simulation.grains().id[k]), 1e3 * depth, tool.c_str(),
-                place[0], place[1], place[2], simulation.time());
+                "through the wall; %s",
+                static_cast<unsigned long long>(simulation.grains().id[k]), 1e3 * depth,
+                tool.spec.name.c_str(), place[0], place[1], place[2], simulation.time(),
+                tool.wall_mesh ? "reduce the speed of the tool, or make the contacts stiffer"
+                               : "reduce the spacing of the wall spheres or the speed of the tool");
   return engine::OutOfRange(text);
 }
 
@@ -80,7 +82,7 @@ std::vector<StrayGrain> LostGrains::strayed(const engine::Simulation& simulation
       const Eigen::Vector3d velocity =
           pose.rotation.transpose() * (grains.velocity[k] - pose.velocity_at(grains.position[k]));
       if (tool.wall_spheres.any_within(entry(tool, place, velocity, diameter, interval), tool.cover_reach))
-        throw through_the_wall(simulation, k, depth, tooling_.tools[b].spec.name);
+        throw through_the_wall(simulation, k, depth, tooling_.tools[b]);
       strayed.push_back({grains.id[k], b, grains.position[k]});
     }
   }

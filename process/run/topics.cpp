@@ -9,7 +9,7 @@
 #include "process/powder/tool_surface.h"
 #include "process/results/formatted.h"
 #include "process/run/assemble.h"
-#include "process/scene/contact_spec.h"
+#include "process/scene/contact/contact_spec.h"
 #include "process/scene/setting.h"
 
 #ifndef DIEFILL_LIBRARIES

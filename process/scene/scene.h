@@ -16,8 +16,8 @@
 #include "process/machine/step.h"
 #include "process/machine/tool_spec.h"
 #include "process/scene/economy.h"
-#include "process/scene/other_powders.h"
-#include "process/scene/powder_spec.h"
+#include "process/scene/powder/other_powders.h"
+#include "process/scene/powder/powder_spec.h"
 #include "process/scene/suction.h"
 
 namespace diefill::process {

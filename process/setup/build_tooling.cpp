@@ -14,9 +14,9 @@
 #include "process/setup/read_tooling.h"
 #include "process/setup/wall_sphere_limit.h"
 #include "process/tooling/cover_progress.h"
+#include "process/tooling/examination/tool_fit.h"
 #include "process/tooling/half_model.h"
 #include "process/tooling/periodic_tool.h"
-#include "process/tooling/tool_fit.h"
 
 namespace diefill::process {
 

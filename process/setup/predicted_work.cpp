@@ -11,10 +11,10 @@
 #include "process/scene/setting.h"
 #include "process/setup/impact_speed.h"
 #include "process/setup/pour.h"
+#include "process/tooling/examination/tool_fit.h"
 #include "process/tooling/machine_memory.h"
 #include "process/tooling/predicted_memory.h"
 #include "process/tooling/stages.h"
-#include "process/tooling/tool_fit.h"
 
 namespace diefill::process {
 

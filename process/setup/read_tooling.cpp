@@ -7,10 +7,10 @@
 #include "process/setup/predicted_work.h"
 #include "process/tooling/co_moving_powder.h"
 #include "process/tooling/cover_progress.h"
+#include "process/tooling/examination/no_cavity.h"
+#include "process/tooling/examination/tool_fit.h"
 #include "process/tooling/half_model.h"
-#include "process/tooling/no_cavity.h"
 #include "process/tooling/stages.h"
-#include "process/tooling/tool_fit.h"
 #include "process/tooling/tool_paths.h"
 
 namespace diefill::process {

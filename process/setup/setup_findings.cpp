@@ -7,9 +7,9 @@
 #include "process/machine/free_motion.h"
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
-#include "process/scene/powder_file.h"
+#include "process/scene/powder/powder_file.h"
+#include "process/tooling/examination/plan_view.h"
 #include "process/tooling/half_model.h"
-#include "process/tooling/plan_view.h"
 #include "process/tooling/stages.h"
 #include "process/tooling/tool_paths.h"
 

@@ -6,9 +6,9 @@
 
 #include "process/powder/material.h"
 #include "process/setup/setup_findings.h"
-#include "process/tooling/plan_view.h"
+#include "process/tooling/examination/plan_view.h"
+#include "process/tooling/examination/tool_scale.h"
 #include "process/tooling/stages.h"
-#include "process/tooling/tool_scale.h"
 
 namespace diefill::process {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "process/results/formatted.h"
+#include "process/tooling/examination/tool_fit.h"
 #include "process/tooling/machine_memory.h"
 #include "process/tooling/predicted_memory.h"
-#include "process/tooling/tool_fit.h"
 
 namespace diefill::process {
 

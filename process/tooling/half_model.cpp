@@ -13,7 +13,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr double kSymmetryOverRadius = 0.2;  // as process/tooling/diagnosis
+constexpr double kSymmetryOverRadius = 0.2;  // as process/tooling/examination/diagnosis
 constexpr std::uint64_t kFirstImage = std::uint64_t{1} << 32;
 constexpr double kSameSphere = 1e-6;  // m per m of the grain, distance of two places that count as one
 constexpr double kOutOfPlane = 1e-9;  // m, m/s, rad/s or none, what rounding makes of zero

@@ -6,7 +6,7 @@
 #include "geometry/cad/mesh_import.h"
 #include "geometry/mesh/mesh_repair.h"
 #include "process/input/nearest_key.h"
-#include "process/tooling/tool_fit.h"
+#include "process/tooling/examination/tool_fit.h"
 #include "process/tooling/tooling.h"
 
 namespace diefill::process {
@@ -34,6 +34,8 @@ geometry::ImportedPart read_file(const Scene& scene, const ToolSpec& spec, doubl
                      (nearest ? "; did you mean \"" + *nearest + "\"?" : "; use one of these names"));
   } catch (const geometry::MeshError& error) {
     throw SceneError(tool_text(scene, spec) + ": " + error.what());
+  } catch (const geometry::MissingLibrary& missing) {
+    throw geometry::MissingLibrary(tool_text(scene, spec) + ": " + missing.what());
   }
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "render/style/text.h"
 
@@ -209,6 +211,88 @@ void draw_sample(QPainter& painter, const Curve& curve, const Look& look, double
   if (has_marks(curve.style)) draw_marker(painter, {left + 0.5 * kSampleLength, middle}, look);
 }
 
+constexpr double kTextGap = 12, kColumnGap = 40;  // of a legend
+
+/// The sample of a curve and its name.
+struct LegendEntry {
+  std::size_t curve, row;
+  double left, room;  ///< from the legend's left; for the name
+};
+
+struct Legend {
+  std::vector<LegendEntry> entries;
+  int pixels = kTickPixels;  ///< of the type
+
+  std::size_t rows() const { return entries.empty() ? 0 : entries.back().row + 1; }
+  double row_height() const { return kLegendRow * pixels / kTickPixels; }
+};
+
+/// A curve and the width of its name.
+struct NamedCurve {
+  std::size_t curve;
+  double width;
+};
+
+std::vector<NamedCurve> named(const std::vector<Curve>& curves, int pixels) {
+  std::vector<NamedCurve> found;
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    if (!curves[k].name.empty())
+      found.push_back({k, text_width(QString::fromStdString(curves[k].name), text_font(pixels)) + 2});
+  return found;
+}
+
+/// Row by row in `cells` cells of width `pitch`; a long name takes several.
+Legend in_cells(const std::vector<NamedCurve>& curves, std::size_t cells, double pitch, int pixels) {
+  constexpr double kBesideName = kSampleLength + kTextGap + kColumnGap, kRounding = 1e-9;
+  Legend legend{{}, pixels};
+  std::size_t cell = 0, row = 0;
+  for (const NamedCurve& one : curves) {
+    const double wanted = std::max(1.0, std::ceil((kBesideName + one.width) / pitch - kRounding));
+    const std::size_t taken = std::min(cells, static_cast<std::size_t>(wanted));
+    if (cell + taken > cells) {
+      cell = 0;
+      ++row;
+    }
+    legend.entries.push_back({one.curve, row, static_cast<double>(cell) * pitch,
+                              std::min(one.width, static_cast<double>(taken) * pitch - kBesideName)});
+    cell += taken;
+  }
+  return legend;
+}
+
+/// In columns as wide as the widest name asks for.
+Legend in_equal_columns(const std::vector<NamedCurve>& curves, double width, int pixels) {
+  double pitch = 0;
+  for (const NamedCurve& one : curves)
+    pitch = std::max(pitch, kSampleLength + kTextGap + one.width + kColumnGap);
+  pitch = std::min(pitch, width + kColumnGap);
+  const double columns = pitch > 0 ? std::floor((width + kColumnGap) / pitch) : 1;
+  return in_cells(curves, static_cast<std::size_t>(std::max(1.0, columns)), pitch, pixels);
+}
+
+/// In the cells that make the fewest rows.
+Legend in_fewest_rows(const std::vector<NamedCurve>& curves, double width, int pixels) {
+  Legend best = in_cells(curves, 1, width + kColumnGap, pixels);
+  for (std::size_t cells = 2; cells <= curves.size(); ++cells) {
+    Legend other = in_cells(curves, cells, (width + kColumnGap) / static_cast<double>(cells), pixels);
+    if (other.rows() < best.rows()) best = std::move(other);
+  }
+  return best;
+}
+
+/// Many names stand closer, then in smaller type, so that the legend does not outgrow the curves.
+Legend legend_of(const std::vector<Curve>& curves, double width) {
+  constexpr std::size_t kFewRows = 3, kMostRows = 6;
+  constexpr int kSmallType = 20;
+  Legend legend = in_equal_columns(named(curves, kTickPixels), width, kTickPixels);
+  if (legend.rows() <= kFewRows) return legend;
+  for (const int pixels : {kTickPixels, kNotePixels, kSmallType}) {
+    legend = in_fewest_rows(named(curves, pixels), width, pixels);
+    if (legend.rows() <= kMostRows) break;
+  }
+  return legend;
+}
+
 }  // namespace
 
 QColor curve_colour(std::size_t index) {
@@ -242,33 +326,21 @@ void draw_curve(QPainter& painter, const PlotArea& area, const std::vector<Curve
 
 double draw_legend(QPainter* painter, const std::vector<Curve>& curves, double left, double top,
                    double width) {
-  constexpr double kTextGap = 12, kColumnGap = 40;
-  const QFont font = text_font(kTickPixels);
-  std::vector<std::size_t> named;
-  double widest = 0;
-  for (std::size_t k = 0; k < curves.size(); ++k) {
-    if (curves[k].name.empty()) continue;
-    named.push_back(k);
-    widest = std::max(widest, text_width(QString::fromStdString(curves[k].name), font));
-  }
-  const double text_room = std::min(widest + 2, width - kSampleLength - kTextGap);
-  const double column_width = kSampleLength + kTextGap + text_room + kColumnGap;
-  const auto columns =
-      static_cast<std::size_t>(std::max(1.0, std::floor((width + kColumnGap) / column_width)));
-  const std::size_t rows = (named.size() + columns - 1) / columns;
-  for (std::size_t entry = 0; painter && entry < named.size(); ++entry) {
-    const Curve& curve = curves[named[entry]];
-    const double x = left + static_cast<double>(entry % columns) * column_width;
-    const double y = top + static_cast<double>(entry / columns) * kLegendRow;
-    draw_sample(*painter, curve, look_of(curves, named[entry]), x, y + 0.5 * kLegendRow);
+  const Legend legend = legend_of(curves, width);
+  const QFont font = text_font(legend.pixels);
+  if (painter == nullptr) return static_cast<double>(legend.rows()) * legend.row_height();
+  for (const LegendEntry& entry : legend.entries) {
+    const double x = left + entry.left, y = top + static_cast<double>(entry.row) * legend.row_height();
+    draw_sample(*painter, curves[entry.curve], look_of(curves, entry.curve), x,
+                y + 0.5 * legend.row_height());
     painter->setFont(font);
     painter->setPen(Qt::black);
-    const QString name = QString::fromStdString(curve.name);
-    painter->drawText(QRectF(x + kSampleLength + kTextGap, y, text_room + 4, kLegendRow),
+    const QString name = QString::fromStdString(curves[entry.curve].name);
+    painter->drawText(QRectF(x + kSampleLength + kTextGap, y, entry.room + 4, legend.row_height()),
                       Qt::AlignLeft | Qt::AlignVCenter,
-                      QFontMetricsF(font).elidedText(name, Qt::ElideRight, text_room + 1));
+                      QFontMetricsF(font).elidedText(name, Qt::ElideRight, entry.room + 1));
   }
-  return static_cast<double>(rows) * kLegendRow;
+  return static_cast<double>(legend.rows()) * legend.row_height();
 }
 
 }  // namespace diefill::render

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "process/results/rounding.h"
-#include "render/report/calibration_data_section.h"
 #include "render/report/numbers.h"
 #include "render/report/pictures_of.h"
+#include "render/report/sections/calibration_data_section.h"
 
 namespace diefill::render::report {
 namespace {
@@ -122,7 +122,8 @@ Section region_section(const results::Calibration& calibration) {
     for (const auto& parameter : calibration.parameters) table.header.push_back(parameter.key);
     for (std::size_t i = 0; i < calibration.correlation.size(); ++i) {
       table.rows.push_back({calibration.parameters[i].key});
-      for (const double r : calibration.correlation[i]) table.rows.back().push_back(in_digits(r, 2));
+      for (const double r : calibration.correlation[i])
+        table.rows.back().push_back(std::isfinite(r) ? results::at_decimals(r, 2) : "–");
     }
     section.blocks.emplace_back(std::move(table));
   }
@@ -187,12 +188,19 @@ Section points_section(const results::Calibration& calibration) {
     table.header.push_back(axis_text(parameter.key, parameter.unit));
   for (const char* head : {"chi^2 of its runs", "Core seconds", "State"}) table.header.emplace_back(head);
   double seconds = 0;
-  for (std::size_t k = 0; k < calibration.points.size(); ++k) {
-    const auto& point = calibration.points[k];
+  std::vector<std::vector<std::string>> columns;
+  const auto& points = calibration.points;
+  for (std::size_t p = 0; p < calibration.parameters.size(); ++p)
+    columns.push_back(column_of(
+        points, [&](const auto& point) { return point.values.at(p); }, 3));
+  columns.push_back(column_of(
+      points, [](const auto& point) { return point.chi_square; }, 3));
+  columns.push_back(column_of(
+      points, [](const auto& point) { return point.core_seconds; }, 3));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto& point = points[k];
     table.rows.push_back({std::to_string(k + 1), point.role});
-    for (const double value : point.values) table.rows.back().push_back(in_digits(value, 3));
-    table.rows.back().push_back(in_digits(point.chi_square, 3));
-    table.rows.back().push_back(in_digits(point.core_seconds, 3));
+    for (const auto& column : columns) table.rows.back().push_back(column[k]);
     table.rows.back().push_back(point.state + (point.reason.empty() ? "" : ": " + point.reason));
     seconds += point.core_seconds;
   }

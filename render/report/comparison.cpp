@@ -9,7 +9,7 @@
 #include "render/fields/field_places.h"
 #include "render/report/figure_text.h"
 #include "render/report/pictures_of.h"
-#include "render/report/speed_series.h"
+#include "render/report/sections/speed_series.h"
 #include "render/style/ticks.h"
 
 namespace diefill::render::report {
@@ -60,6 +60,14 @@ std::vector<const Strategy*> ranked(const std::vector<Strategy>& strategies, con
   return order;
 }
 
+void add_column(Table& table, const std::vector<const Strategy*>& rows, const char* figure) {
+  std::vector<Scatter> values;
+  for (const Strategy* strategy : rows) values.push_back(as_read(*strategy, figure));
+  const auto texts = as_texts(values, 3);
+  table.header.push_back(column_title(figure));
+  for (std::size_t k = 0; k < rows.size(); ++k) table.rows[k].push_back(texts[k]);
+}
+
 Section ranking(const std::vector<Strategy>& strategies) {
   Section section{"Ranking", 1, {}};
   const Merit& merit = merit_for(strategies);
@@ -68,14 +76,11 @@ Section ranking(const std::vector<Strategy>& strategies) {
               {"Strategy", "Runs"},
               {},
               true};
-  for (const char* column : kColumns) table.header.push_back(column_title(column));
-  table.header.push_back(column_title("solid_fraction_mean"));
-  for (const Strategy* strategy : ranked(strategies, merit)) {
-    std::vector<std::string> row = {strategy->name, std::to_string(strategy->runs.size())};
-    for (const char* column : kColumns) row.push_back(as_text(as_read(*strategy, column), 3));
-    row.push_back(as_text(as_read(*strategy, "solid_fraction_mean"), 3));
-    table.rows.push_back(row);
-  }
+  const auto order = ranked(strategies, merit);
+  for (const Strategy* strategy : order)
+    table.rows.push_back({strategy->name, std::to_string(strategy->runs.size())});
+  for (const char* column : kColumns) add_column(table, order, column);
+  add_column(table, order, "solid_fraction_mean");
   leave_out_empty_columns(table);
   section.blocks.emplace_back(table);
   const bool single = std::any_of(strategies.begin(), strategies.end(),
@@ -240,18 +245,26 @@ Section scatter_section(const std::vector<Strategy>& strategies) {
                "Deviation from its strategy's mean mass [%]"},
               {},
               true};
+  std::vector<const Run*> runs;
+  std::vector<double> deviations;  // %
   for (const auto& strategy : strategies) {
     const double mean = strategy.of("filled_mass_kg").mean;
     for (const Run* run : strategy.runs) {
-      const double mass = figure(run->result, "filled_mass_kg");
-      table.rows.push_back(
-          {run->name, std::to_string(run->result.seed),
-           in_digits(in_shown_unit("expected_mass_kg", figure(run->result, "expected_mass_kg")), 3),
-           in_digits(in_shown_unit("filled_mass_kg", mass)), in_digits(figure(run->result, "fill_ratio"), 3),
-           in_digits(run->result.summary.mean, 3),
-           strategy.runs.size() > 1 ? in_digits(100 * (mass / mean - 1), 2) : "–"});
+      runs.push_back(run);
+      deviations.push_back(strategy.runs.size() > 1 ? 100 * (figure(run->result, "filled_mass_kg") / mean - 1)
+                                                    : std::numeric_limits<double>::quiet_NaN());
     }
   }
+  const auto column = [&](const char* name, int digits) {
+    return column_of(
+        runs, [&](const Run* run) { return in_shown_unit(name, figure(run->result, name)); }, digits);
+  };
+  const auto expected = column("expected_mass_kg", 3), mass = column("filled_mass_kg", 4),
+             ratio = column("fill_ratio", 3), solid = column("solid_fraction_mean", 3),
+             deviation = in_one_format(deviations, 2);
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    table.rows.push_back({runs[k]->name, std::to_string(runs[k]->result.seed), expected[k], mass[k], ratio[k],
+                          solid[k], deviation[k]});
   leave_out_empty_columns(table);
   section.blocks.emplace_back(table);
   return section;

@@ -5,7 +5,7 @@
 
 #include "render/fields/pictures.h"
 #include "render/report/document.h"
-#include "render/report/strategies.h"
+#include "render/report/sections/strategies.h"
 
 namespace diefill::render::report {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <optional>
 
 #include "process/results/figure_table.h"
 #include "process/results/formatted.h"
@@ -14,6 +15,23 @@ namespace {
 
 constexpr const char* kNone = "–";
 
+/// Decimals that leave the largest value `digits` significant digits; none where all values are whole, and
+/// where a value other than zero would be shown as zero.
+std::optional<int> decimals_of_column(const std::vector<double>& values, int digits) {
+  double largest = 0, smallest = std::numeric_limits<double>::infinity();
+  bool whole = true;
+  for (const double value : values) {
+    if (!std::isfinite(value) || value == 0) continue;
+    largest = std::max(largest, std::abs(value));
+    smallest = std::min(smallest, std::abs(value));
+    whole = whole && value == std::round(value);
+  }
+  if (whole) return std::nullopt;
+  const int decimals = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(largest))));
+  if (smallest < 0.5 * std::pow(10, -decimals)) return std::nullopt;
+  return decimals;
+}
+
 }  // namespace
 
 std::string in_digits(double value, int digits) {
@@ -22,6 +40,15 @@ std::string in_digits(double value, int digits) {
   if (value != std::round(value) || std::abs(value) >= 1e12)
     return results::in_significant_digits(value, digits);
   return results::formatted("%.0f", value);
+}
+
+std::vector<std::string> in_one_format(const std::vector<double>& values, int digits) {
+  const std::optional<int> decimals = decimals_of_column(values, digits);
+  std::vector<std::string> texts;
+  for (const double value : values)
+    texts.push_back(decimals && std::isfinite(value) ? results::at_decimals(value, *decimals)
+                                                     : in_digits(value, digits));
+  return texts;
 }
 
 std::string with_unit(double value, const std::string& unit, int digits) {
@@ -69,6 +96,16 @@ Scatter scatter(const std::vector<double>& values) {
 std::string as_text(const Scatter& scatter, int digits) {
   if (scatter.count < 2) return in_digits(scatter.mean, digits);
   return results::with_scatter(scatter.mean, scatter.deviation, digits);
+}
+
+std::vector<std::string> as_texts(const std::vector<Scatter>& scatters, int digits) {
+  std::vector<std::string> texts = column_of(
+      scatters,
+      [](const Scatter& one) { return one.count < 2 ? one.mean : std::numeric_limits<double>::quiet_NaN(); },
+      digits);
+  for (std::size_t k = 0; k < scatters.size(); ++k)
+    if (scatters[k].count > 1) texts[k] = as_text(scatters[k], digits);
+  return texts;
 }
 
 void leave_out_empty_columns(Table& table) {

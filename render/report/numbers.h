@@ -1,7 +1,9 @@
 // Numbers of a report as people read them, and where a run's figures come from.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "process/results/fill_result.h"
 #include "render/report/document.h"
@@ -11,7 +13,20 @@ namespace diefill::render::report {
 /// `value` with `digits` significant digits, without an exponent where that stays short; "–" for NaN.
 std::string in_digits(double value, int digits = 4);
 
-/// The same with a unit behind it; "–" alone for NaN.
+/// The values of one quantity with one number of decimals, which leaves the largest `digits` significant
+/// digits; "–" for NaN. Each as in_digits() has it where that would show another as zero, and where all are
+/// whole numbers.
+std::vector<std::string> in_one_format(const std::vector<double>& values, int digits = 4);
+
+/// `value` of each row in one format, for a column of a table.
+template <typename Rows, typename Value>
+std::vector<std::string> column_of(const Rows& rows, Value value, int digits = 4) {
+  std::vector<double> values;
+  for (const auto& row : rows) values.push_back(std::invoke(value, row));
+  return in_one_format(values, digits);
+}
+
+/// in_digits() with a unit behind it; "–" alone for NaN.
 std::string with_unit(double value, const std::string& unit, int digits = 4);
 
 /// "name [unit]", as columns and axes have it; the name alone for plain numbers.
@@ -32,6 +47,9 @@ Scatter scatter(const std::vector<double>& values);
 
 /// "0.312 ± 0.004" with the digits that the deviation leaves, or the mean alone where there is one value.
 std::string as_text(const Scatter& scatter, int digits = 4);
+
+/// The same for a column of a table: means alone are in one format.
+std::vector<std::string> as_texts(const std::vector<Scatter>& scatters, int digits = 4);
 
 /// Takes away the columns in which no row has anything to say ("–").
 void leave_out_empty_columns(Table& table);

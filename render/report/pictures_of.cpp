@@ -13,7 +13,7 @@
 #include "render/fields/density_map.h"
 #include "render/fields/difference_map.h"
 #include "render/fields/field_places.h"
-#include "render/report/timeline.h"
+#include "render/report/sections/timeline.h"
 #include "render/scene3d/snapshot.h"
 #include "render/style/picture_bytes.h"
 

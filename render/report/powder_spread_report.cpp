@@ -52,13 +52,14 @@ Table powders_table(const results::PowderSpread& spread) {
   Table table{"Powders", {""}, {}, true};
   for (std::size_t k = 0; k < spread.keys.size(); ++k)
     table.header.push_back(with_unit_of(spread.keys[k], spread.units[k]));
-  const auto add = [&](const std::string& name, const std::vector<double>& values) {
-    table.rows.push_back({name});
-    for (const double value : values) table.rows.back().push_back(in_digits(value, 4));
-  };
-  add("best", spread.best);
-  for (std::size_t k = 0; k < spread.powders.size(); ++k)
-    add("powder " + std::to_string(k + 1), spread.powders[k]);
+  std::vector<std::vector<double>> powders = {spread.best};
+  powders.insert(powders.end(), spread.powders.begin(), spread.powders.end());
+  for (std::size_t k = 0; k < powders.size(); ++k)
+    table.rows.push_back({k == 0 ? "best" : "powder " + std::to_string(k)});
+  for (std::size_t key = 0; key < spread.keys.size(); ++key) {
+    const auto texts = column_of(powders, [&](const auto& powder) { return powder[key]; });
+    for (std::size_t k = 0; k < powders.size(); ++k) table.rows[k].push_back(texts[k]);
+  }
   return table;
 }
 

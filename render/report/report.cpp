@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "render/report/comparison.h"
-#include "render/report/measured_section.h"
-#include "render/report/run_sections.h"
+#include "render/report/sections/measured_section.h"
+#include "render/report/sections/run_sections.h"
 #include "render/report/viewer/view_block.h"
 
 namespace diefill::render::report {

@@ -92,7 +92,7 @@ if (part == "mixer_impeller") translate([0, 0, clearance]) {
 bore = 10;             // of the cell
 cell_height = 40;
 vanes = 8;
-vane_depth = 3;
+vane_depth = 3 * bore / 16;  // 3 in the cell of 16, which the others are scaled from
 vane_thickness = 0.4;
 floor_vane = 1;        // height of those on the floor
 gap = 0.15;            // between head and cell

@@ -300,11 +300,12 @@ TEST(Calibrate, PowdersOfItsRegionShowWhatTheirUncertaintyDoes) {
   EXPECT_EQ(spread.at("powders").size(), 3U);
   for (const auto& figure : spread.at("figures")) {
     if (figure.at("key") != "filled_mass_kg") continue;
+    EXPECT_EQ(figure.at("unit"), "kg");
     EXPECT_EQ(figure.at("of_seeds").size(), 2U);
     EXPECT_EQ(figure.at("of_powders").size(), 3U);
     const double all = figure.at("spread_over_powders"), seeds = figure.at("scatter_over_seeds");
     EXPECT_NEAR(figure.at("effect_of_the_powder").get<double>(),
-                std::sqrt(std::max(0.0, all * all - seeds * seeds)), 1e-9);
+                std::sqrt(std::max(0.0, all * all - seeds * seeds)), 1e-12);
     // Two seeds and three powders: F exceeds 49.5 by chance in 10 % of cases.
     EXPECT_EQ(figure.at("significant").get<bool>(), all * all > 49.5 * seeds * seeds);
   }

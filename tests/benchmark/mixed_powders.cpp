@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/laws/bierwisch_law.h"
+#include "engine/observe/powder_figures.h"
 #include "engine/powder/size_classes.h"
 #include "engine/simulation/simulation.h"
 
@@ -139,9 +140,7 @@ void race(bool clumps, bool composed, int repeats, int steps,
     bed->set_contact(contact_of(composed, clumps));
     for (int k = 0; k < 100; ++k) bed->step();
   }
-  const auto spheres = [&](std::size_t b) {
-    return static_cast<double>(beds[b]->grains().size() * beds[b]->types().spheres());
-  };
+  const auto spheres = [&](std::size_t b) { return static_cast<double>(sphere_count(*beds[b])); };
   for (int k = 0; k < repeats; ++k)
     for (std::size_t b = 0; b < beds.size(); ++b) {
       per_sphere[b].push_back(timed(*beds[b], steps, spheres(b)));

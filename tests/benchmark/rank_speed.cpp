@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "engine/observe/powder_figures.h"
 #include "process/cluster/lammps/lammps_engine.h"
 #include "tests/engine/engine_test_support.h"
 
@@ -55,14 +56,13 @@ engine::Simulation bed(int grains) {
 }
 
 void report(const char* name, const engine::Simulation& simulation, int steps, const Watch& watch) {
-  const double sphere_steps =
-      static_cast<double>(simulation.grains().size() * simulation.types().spheres()) * steps;
+  const double sphere_steps = static_cast<double>(engine::sphere_count(simulation)) * steps;
   std::printf(
       "%-10s %8zu spheres, %.2f contacts each, million sphere-steps/s: %.2f by processor time, %.2f by the "
       "clock\n",
-      name, simulation.grains().size() * simulation.types().spheres(),
+      name, engine::sphere_count(simulation),
       static_cast<double>(simulation.touching_pairs()) /
-          static_cast<double>(simulation.grains().size() * simulation.types().spheres()),
+          static_cast<double>(engine::sphere_count(simulation)),
       1e-6 * sphere_steps / watch.processor(), 1e-6 * sphere_steps / watch.clock());
 }
 
@@ -78,7 +78,7 @@ void compare(process::cluster::RankEngine& ranks, int grains, int steps) {
   const Watch together;
   for (int k = 0; k < steps; ++k) engine.step(simulation, (simulation.steps() / 10 + 1) * 10);
   report("on ranks", simulation, steps, together);
-  const auto spheres = static_cast<double>(simulation.grains().size() * simulation.types().spheres());
+  const auto spheres = static_cast<double>(engine::sphere_count(simulation));
   const Watch grains_shown;
   engine.sync_grains(simulation);
   std::printf("grains shown in %.3g ns a sphere, ", 1e9 * grains_shown.processor() / spheres);

@@ -54,6 +54,29 @@ TEST(SimulationChanges, BalanceEnergy) {
   }
 }
 
+TEST(SimulationChanges, StoppedGrainsStayWhereTheyAre) {
+  for (const auto model : {Model::b, Model::d}) {
+    Simulation simulation = cloud(weightless(model, {.friction = 0.5}, 2.5e-7));
+    run_steps(simulation, 10);
+    ASSERT_EQ(simulation.touching_pairs(), 0U);
+    const Eigen::Vector3d place = position_of(simulation, 5);
+    simulation.stop_grains();
+    run_steps(simulation, 1000);
+    EXPECT_EQ((position_of(simulation, 5) - place).norm(), 0);
+    for (const auto& spin : simulation.grains().spin) EXPECT_EQ(spin.norm(), 0);
+    EXPECT_LT(balance_error(simulation), 1e-9);
+  }
+}
+
+TEST(SimulationChanges, StoppingGrainsInContactBalancesEnergy) {
+  Simulation simulation = cloud(weightless(Model::d, {.friction = 0.5}, 2.5e-7));
+  for (int n = 0; n < 20000 && simulation.touching_pairs() < 5; ++n) simulation.step();
+  ASSERT_GE(simulation.touching_pairs(), 5U);
+  simulation.stop_grains();
+  run_steps(simulation, 3200);
+  EXPECT_LT(balance_error(simulation), 0.005);
+}
+
 TEST(SimulationChanges, LawsPutBackChangeNoBitOfWhatTheyRemember) {
   auto settings = weightless(Model::d, {.friction = 0.5}, 1e-6);
   settings.gravity = {0, 0, -9.81};

@@ -53,6 +53,32 @@ def test_figures_are_those_of_the_report(folder):
     assert diefill.figure_meaning("filled_mass_kg")[0] == "kg"
 
 
+@pytest.mark.parametrize("name, said", [("fill_ration", "did you mean 'fill_ratio'"), ("typo", "Results.figures"),
+                                        (3, "of type int"), ("\ud800", "no figure"), (None, "of type NoneType")])
+def test_a_figure_that_does_not_exist_is_bad_input(name, said):
+    with pytest.raises(diefill.BadInput, match=re.escape(said)) as error:
+        diefill.figure_meaning(name)
+    assert "\n" not in str(error.value)
+
+
+def test_figures_of_cavities_and_items_have_a_meaning():
+    assert diefill.figure_meaning("cavity_2_fill_ratio") == diefill.figure_meaning("fill_ratio")
+    assert diefill.figure_meaning("slope_of_left_heap_deg")[0] == "deg"
+
+
+def test_a_column_of_a_probe_that_is_no_text_is_refused_in_one_line(scene, tmp_path):
+    file = Path(scene.file).with_name("probed.toml")
+    probe = '\n[[probe]]\nname = "mass"\nquantity = "filled mass"\ninterval = "10 ms"\n'
+    file.write_text(Path(scene.file).read_text() + probe)
+    probed = diefill.Scene(file, {**scene.changes, "numerics.max_time": "0.05 s"})
+    with pytest.warns(diefill.UnfinishedWarning):
+        mass = probed.run(tmp_path / "out", threads=1).probes["mass"]
+    assert len(mass["filled mass"]) == len(mass.values)
+    with pytest.raises(TypeError, match="expected its name as a text") as error:
+        mass[3]
+    assert "\n" not in str(error.value)
+
+
 def test_fields_lie_on_their_grids(folder):
     section = next(iter(diefill.read(folder).sections.values()))
     field = section.field

@@ -88,3 +88,4 @@ def test_comparison_judges_variants(scene, tmp_path):
     assert comparison.variants == list(variants) == list(masses)
     assert masses["fast"].verdict == "scatter unknown"
     assert masses["as it is"].mean > 0
+    assert comparison.units["filled_mass_kg"] == "kg"

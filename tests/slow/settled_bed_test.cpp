@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 
 namespace diefill::process::laboratory {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "process/scene/contact_parts.h"
+#include "process/scene/contact/contact_parts.h"
 #include "process/scene/scene.h"
 #include "tests/support/scene_text.h"
 

@@ -8,8 +8,8 @@
     results.powder.position              # (n, 3) array, m, no copy
 
 Scenes are run by the program `diefill` in a process of its own, so that Ctrl-C leaves a checkpoint and a failed run
-does not end Python. Results are read by this package itself. Quantities are in SI units, except those of a Comparison,
-which states the unit of each. Wrong input raises BadInput, a ValueError.
+does not end Python. Results are read by this package itself. Quantities are in SI units unless their name ends in
+another; a Comparison states the unit of each. Wrong input raises BadInput, a ValueError.
 """
 import sys as _sys
 from pathlib import Path as _Path
@@ -29,11 +29,11 @@ except ImportError as _error:
         "python3-numpy") from None
 
 from ._results import (Cavity, ContactStress, Field, Instant, Powder, Probe, Profile, Results, Section,
-                       SolidFraction, Stage, Summary, Tool, ToolCheck, figure_meaning)
+                       SolidFraction, Stage, Summary, Tool, ToolCheck)
 from .comparison import Comparison, Measure, read_comparison
 from .errors import BadInput, Error, Failed, OutOfRange, UnfinishedWarning
 from .program import version
-from .reading import read
+from .reading import figure_meaning, read
 from .scene import Scene, new
 
 __all__ = ["BadInput", "Cavity", "Comparison", "ContactStress", "Error", "Failed", "Field", "Instant", "Measure",

@@ -1,5 +1,5 @@
 """Results of diefill as NumPy arrays, without copies. SI units; arrays are read-only."""
-from typing import Dict, List, Tuple, Union
+from typing import Dict, List, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -195,7 +195,7 @@ class Probe:
     def values(self) -> Floats:
         """(rows, columns)"""
     def __getitem__(self, name: str) -> Floats:
-        """(rows,) one column, in its unit. Raises KeyError for an unknown name."""
+        """(rows,) one column, in its unit. Raises KeyError for an unknown name, TypeError for what is no text."""
 
 class Stage:
     """One stage of the schedule as it happened."""
@@ -331,5 +331,8 @@ class Results:
 def read(directory: Union[str, bytes]) -> Results:
     """Reads directory/results.h5. Raises ResultError naming the file and what is wrong with it."""
 
-def figure_meaning(name: str) -> Tuple[str, str]:
-    """Unit of a figure ("1": a plain number), and how it is formed."""
+def figure_meaning(name: str) -> Optional[Tuple[str, str]]:
+    """Unit of a figure ("1": a plain number), and how it is formed; None: there is no such figure."""
+
+def figure_names() -> List[str]:
+    """Names of all figures; * stands for the name of an item of a scene."""

@@ -9,7 +9,7 @@ from .paths import PathLike, path_text
 
 class Measure(NamedTuple):
     """One measure of one variant over its seeds; None: no value. The numbers are in the unit that Comparison.units
-    states for the measure, such as g for "filled_mass_kg"."""
+    states for the measure, such as kg for "filled_mass_kg"."""
 
     mean: Optional[float]
     """Over the seeds."""

@@ -5,7 +5,7 @@
 
 #include "process/laboratory/side_by_side.h"
 #include "process/powder/empty_annulus.h"
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 
 namespace diefill::process::laboratory {
 

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "process/results/formatted.h"
-#include "process/scene/powder_file.h"
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_file.h"
+#include "process/scene/powder/powder_presets.h"
 #include "process/scene/scene_text.h"
 
 namespace diefill::process::laboratory {

@@ -19,6 +19,7 @@ std::string Change::description() const {
   };
   add(change_.gravity.has_value(), "gravity");
   add(change_.changes_laws(), "contact laws");
+  add(change_.at_rest, "rest");
   add(change_.random_velocity > 0, "random velocities");
   return "change of " + text;
 }
@@ -30,12 +31,14 @@ std::shared_ptr<Step> read_change(TableReader& table, const std::vector<ToolSpec
   change.wall_friction = table.number("wall_friction", kFriction);
   change.work_of_adhesion = table.quantity("work_of_adhesion", kAdhesion);
   change.wall_work_of_adhesion = table.quantity("wall_work_of_adhesion", kAdhesion);
+  change.at_rest = table.flag("at_rest").value_or(false);
   change.random_velocity = table.quantity("random_velocity", kVelocity).value_or(0);
   const bool names_laws = table.table("contact").has_value();
-  if (!change.gravity && !change.changes_laws() && !names_laws && change.random_velocity == 0)
+  const bool moves_powder = change.at_rest || change.random_velocity > 0;
+  if (!change.gravity && !change.changes_laws() && !names_laws && !moves_powder)
     throw SceneError(table.where("kind") +
                      ": this step changes nothing; give gravity, friction, wall_friction, work_of_adhesion, "
-                     "wall_work_of_adhesion, random_velocity or [step.contact]");
+                     "wall_work_of_adhesion, at_rest, random_velocity or [step.contact]");
   return std::make_shared<Change>(std::move(change));
 }
 

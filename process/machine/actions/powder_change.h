@@ -26,6 +26,7 @@ struct PowderChange {
   /// The same of [[other_powder]] and of pairs of powders, where `contact` is there.
   std::vector<std::shared_ptr<const ContactSpec>> contact_of_others;
   std::vector<std::shared_ptr<const PairLawSpec>> contact_of_pairs;
+  bool at_rest = false;        ///< every grain comes to rest, before `random_velocity`
   double random_velocity = 0;  ///< m/s, standard deviation along each axis, added once to every grain
 
   bool changes_laws() const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "process/measure/cavity_position.h"
@@ -107,11 +108,29 @@ void raise(results::Field2D& map, const Eigen::Vector3d& centre, double reach, d
     }
 }
 
+/// Whether `point` and all places within about `skin` (m) of it in the map's plane are inside tools. The
+/// distance to the surface alone would not tell: close below the tools' upper faces it is small everywhere.
+bool deep_in_tools(const std::vector<geometry::SolidQuery>& solids, const Eigen::Vector3d& point,
+                   const Axes& axes, double skin) {
+  if (inside_a_tool(solids, point, skin)) return true;
+  if (!inside_a_tool(solids, point, 0)) return false;
+  constexpr int kDirections = 8;
+  for (int n = 0; n < kDirections; ++n) {
+    const double angle = 2 * std::numbers::pi * n / kDirections;
+    Eigen::Vector3d beside = point;
+    beside[axes.first] += skin * std::cos(angle);
+    beside[axes.second] += skin * std::sin(angle);
+    if (!inside_a_tool(solids, beside, 0)) return false;
+  }
+  return true;
+}
+
 /// What the columns of a cavity's box hold.
 struct BoxColumns {
   GaussianField field;
   const PowderPlaces& places;
   std::vector<geometry::SolidQuery> solids;
+  Axes axes;
   double skin;                 ///< m
   std::vector<double> depths;  ///< m, along the column
 
@@ -122,7 +141,7 @@ struct BoxColumns {
     std::size_t values = 0;
     for (const double depth : depths) {
       const Eigen::Vector3d point = point_at(depth);
-      if (!places.near(point) || inside_a_tool(solids, point, skin)) continue;
+      if (!places.near(point) || deep_in_tools(solids, point, axes, skin)) continue;
       is_near = true;
       const double value = field.mean_at(point);
       if (std::isnan(value)) continue;
@@ -132,7 +151,7 @@ struct BoxColumns {
     if (values > 0) return sum / static_cast<double>(values);
     if (is_near) return results::unvalued_powder();
     const bool tool = std::ranges::all_of(
-        depths, [&](double depth) { return inside_a_tool(solids, point_at(depth), skin); });
+        depths, [&](double depth) { return deep_in_tools(solids, point_at(depth), axes, skin); });
     return tool ? results::inside_tool() : kNone;
   }
 };
@@ -148,7 +167,10 @@ results::Field2D box_map(const results::FillResult& result, BoxView view, double
   const double first_step = kMillimetre * (map.first[1] - map.first[0]),
                second_step = kMillimetre * (map.second[1] - map.second[0]);
   BoxColumns columns{
-      GaussianField(result.powder, result.solid_fraction, averaging_width), places, solids_of(result.tools),
+      GaussianField(result.powder, result.solid_fraction, averaging_width),
+      places,
+      solids_of(result.tools),
+      axes,
       std::max(first_step, second_step),
       slices(cavity.lower_corner[axes.along], cavity.upper_corner[axes.along], averaging_width)};
   std::vector<std::uint8_t> near;

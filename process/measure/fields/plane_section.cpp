@@ -88,6 +88,33 @@ std::vector<std::uint8_t> powder_nodes(const results::PowderState& powder, const
   return near;
 }
 
+/// A field without nodes on the plane.
+results::SectionField empty_section(const results::SectionPlane& plane, double averaging_width) {
+  return {plane,
+          {"solid fraction",
+           axis_name(plane.first_axis, "first axis"),
+           "mm",
+           axis_name(plane.second_axis, "second axis"),
+           "mm",
+           {},
+           {},
+           {},
+           averaging_width}};
+}
+
+/// The rectangle of a section: the powder near the plane, that in the cavity where there is some, and two
+/// grains more on each side. Empty where no powder is near.
+Extent extent_of_section(const results::PowderState& powder, const results::GrainSolidFraction& fraction,
+                         const results::SectionPlane& plane, double averaging_width) {
+  const double thickness = std::max(powder.grain_diameter, 2 * averaging_width);
+  Extent extent = extent_of_grains(powder, fraction, plane, thickness, true);
+  if (extent.empty()) extent = extent_of_grains(powder, fraction, plane, thickness, false);
+  if (extent.empty()) return extent;
+  extent.lower -= 2 * powder.grain_diameter;
+  extent.upper += 2 * powder.grain_diameter;
+  return extent;
+}
+
 }  // namespace
 
 results::SectionField sample_plane(const results::PowderState& powder,
@@ -96,22 +123,9 @@ results::SectionField sample_plane(const results::PowderState& powder,
                                    const results::SectionPlane& plane, double averaging_width,
                                    const PlaneValue& value_at) {
   const std::vector<geometry::SolidQuery> solids = solids_of(tools);
-  results::SectionField section{plane,
-                                {"solid fraction",
-                                 axis_name(plane.first_axis, "first axis"),
-                                 "mm",
-                                 axis_name(plane.second_axis, "second axis"),
-                                 "mm",
-                                 {},
-                                 {},
-                                 {},
-                                 averaging_width}};
-  const double thickness = std::max(powder.grain_diameter, 2 * averaging_width);
-  Extent extent = extent_of_grains(powder, fraction, plane, thickness, true);
-  if (extent.empty()) extent = extent_of_grains(powder, fraction, plane, thickness, false);
-  if (extent.empty()) return section;  // no powder near the plane: a field without nodes
-  extent.lower -= 2 * powder.grain_diameter;
-  extent.upper += 2 * powder.grain_diameter;
+  results::SectionField section = empty_section(plane, averaging_width);
+  const Extent extent = extent_of_section(powder, fraction, plane, averaging_width);
+  if (extent.empty()) return section;
   // Finer than the field itself asks for: walls are drawn half-way between nodes.
   const double step = std::max(0.2 * averaging_width, (extent.upper - extent.lower).maxCoeff() / kMaxNodes);
   results::Field2D& grid = section.field;
@@ -121,7 +135,7 @@ results::SectionField sample_plane(const results::PowderState& powder,
     return no_room_at(solids, point, 0.5 * powder.sphere_radius);
   };
   const std::vector<std::uint8_t> is_powder = powder_nodes(powder, plane, grid, step, no_room);
-  for (const double second : grid.second) {
+  for (const double second : grid.second)
     for (const double first : grid.first) {
       const Eigen::Vector3d point = point_of(plane, first, second);
       double value = std::numeric_limits<double>::quiet_NaN();
@@ -133,7 +147,6 @@ results::SectionField sample_plane(const results::PowderState& powder,
       }
       grid.value.push_back(value);
     }
-  }
   return section;
 }
 

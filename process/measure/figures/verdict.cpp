@@ -49,6 +49,29 @@ PartMean mean_of(const results::FillResult& result, const CavityPart& part,
   return found;
 }
 
+/// "; too few grains to judge the powder where the shoe arrives" of the parts that hold powder but too few
+/// counted grains for a mean; empty where there are none.
+std::string too_sparse(const results::FillResult& result, const std::vector<CavityPart>& parts,
+                       const std::vector<std::size_t>& counted) {
+  const auto& inside = result.solid_fraction.in_cavity;
+  std::string words;
+  for (const auto& part : parts) {
+    if (mean_of(result, part, counted).grains >= kMinGrains) continue;
+    bool powder = false;
+    for (std::size_t k = 0; k < inside.size() && !powder; ++k)
+      powder = inside[k] == 1 && part.holds(result.powder.position[k]);
+    if (powder) words += (words.empty() ? " " : " and ") + part.words;
+  }
+  return words.empty() ? words : "; too few grains to judge the powder" + words;
+}
+
+/// "where the shoe leaves (solid fraction 0.28, mean 0.32)", to the decimals that the part's error leaves.
+std::string description_of(const PartMean& part, double mean) {
+  const int decimals = part.error > 0 ? results::decimals_of_scatter(part.error) : 3;
+  return part.words + " (solid fraction " + results::at_decimals(part.mean, decimals) + ", mean " +
+         results::at_decimals(mean, decimals) + ")";
+}
+
 /// "90 % full: 3.12 g of the 3.43 g that ...".
 std::string filling(const results::FillResult& result) {
   const double ratio = value(result, "fill_ratio"), mass = value(result, "expected_mass_kg");
@@ -108,9 +131,11 @@ std::string loosest_part(const results::FillResult& result, bool& known) {
   const auto counted = counted_grains(result.powder, result.solid_fraction, true);
   const PartMean all = mean_of(result, {"", [](const Eigen::Vector3d&) { return true; }}, counted);
   PartMean loosest;
+  std::string beside;
   double deepest = 0;
   known = false;
-  for (const auto& parts : {horizontal_parts(result), vertical_parts(result)})
+  for (const auto& parts : {horizontal_parts(result), vertical_parts(result)}) {
+    const std::string unjudged = too_sparse(result, parts, counted);
     for (const auto& part : parts) {
       const PartMean found = mean_of(result, part, counted);
       if (found.grains < kMinGrains || found.grains == all.grains) continue;
@@ -120,14 +145,10 @@ std::string loosest_part(const results::FillResult& result, bool& known) {
         continue;
       deepest = deficit;
       loosest = found;
+      beside = unjudged;
     }
-  if (loosest.words.empty()) return {};
-  const auto shown = [](const PartMean& part) {
-    return results::at_decimals(part.mean, part.error > 0 ? results::decimals_of_scatter(part.error) : 3);
-  };
-  return loosest.words + " (solid fraction " + shown(loosest) + ", mean " +
-         results::at_decimals(all.mean, loosest.error > 0 ? results::decimals_of_scatter(loosest.error) : 3) +
-         ")";
+  }
+  return loosest.words.empty() ? std::string() : description_of(loosest, all.mean) + beside;
 }
 
 std::string verdict(const results::FillResult& result) {
@@ -139,9 +160,12 @@ std::string verdict(const results::FillResult& result) {
   std::string text = filling(result);
   if (!loose.empty())
     text += "; loosest " + loose;
+  else if (known)
+    text += "; no region significantly looser than the rest" +
+            too_sparse(result, horizontal_parts(result),
+                       counted_grains(result.powder, result.solid_fraction, true));
   else
-    text +=
-        known ? "; no region significantly looser than the rest" : "; too few grains to locate loose regions";
+    text += "; too few grains to locate loose regions";
   return text + surface(result);
 }
 

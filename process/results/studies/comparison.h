@@ -67,7 +67,9 @@ struct Comparison {
 /// How the numbers are to be read: what scatter, interval and "none" mean.
 std::string statistics_text();
 
-/// Writes `directory`/comparison.json and comparison.csv, each whole or not at all. Throws ResultError.
+/// Writes `directory`/comparison.json, with figures in the units of report.json, since keys name them, and
+/// comparison.csv, with units that people read. Every key of a run's values is one of a measure. Each whole
+/// or not at all. Throws ResultError.
 void write_comparison(const std::filesystem::path& directory, const Comparison& comparison);
 
 }  // namespace diefill::results

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "process/results/csv_field.h"
+#include "process/results/figure_table.h"
 #include "process/results/json_numbers.h"
 #include "process/results/rounding.h"
 #include "process/results/storage/atomic_file.h"
@@ -17,18 +18,26 @@ std::string number(double value, int digits) {
   return std::isfinite(value) ? csv_number(value, digits) : "unknown";
 }
 
+/// `values` divided by `divisor`.
+Json numbers(std::vector<double> values, double divisor) {
+  for (double& value : values) value /= divisor;
+  return json_numbers(values);
+}
+
+/// In the unit of report.json, since the key names it.
 Json entry(const SpreadFigure& figure) {
+  const auto [unit, divisor] = stored_as(figure.key, figure.unit);
   return {{"key", figure.key},
           {"name", figure.name},
-          {"unit", figure.unit},
-          {"best_powder_mean", json_number(figure.best)},
-          {"scatter_over_seeds", json_number(figure.scatter)},
-          {"powders_mean", json_number(figure.mean)},
-          {"spread_over_powders", json_number(figure.spread)},
-          {"effect_of_the_powder", json_number(figure.powder)},
+          {"unit", unit},
+          {"best_powder_mean", json_number(figure.best / divisor)},
+          {"scatter_over_seeds", json_number(figure.scatter / divisor)},
+          {"powders_mean", json_number(figure.mean / divisor)},
+          {"spread_over_powders", json_number(figure.spread / divisor)},
+          {"effect_of_the_powder", json_number(figure.powder / divisor)},
           {"significant", figure.significant},
-          {"of_seeds", json_numbers(figure.of_seeds)},
-          {"of_powders", json_numbers(figure.of_powders)}};
+          {"of_seeds", numbers(figure.of_seeds, divisor)},
+          {"of_powders", numbers(figure.of_powders, divisor)}};
 }
 
 std::string json_of(const PowderSpread& spread) {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "process/measure/measure.h"
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 
 namespace diefill::process {
 namespace {

@@ -10,7 +10,7 @@
 #include "process/run/assemble.h"
 #include "process/run/figures/filling_figures.h"
 #include "process/tooling/die_frame.h"
-#include "process/tooling/other_cavities.h"
+#include "process/tooling/examination/other_cavities.h"
 
 namespace diefill::process {
 namespace {

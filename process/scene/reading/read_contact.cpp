@@ -4,8 +4,8 @@
 
 #include "engine/coarse_graining/methods.h"
 #include "process/machine/actions/powder_change.h"
-#include "process/scene/chosen_law.h"
-#include "process/scene/contact_spec.h"
+#include "process/scene/contact/chosen_law.h"
+#include "process/scene/contact/contact_spec.h"
 #include "process/scene/reading/sections.h"
 
 namespace diefill::process {

@@ -2,7 +2,7 @@
 
 #include "process/machine/actions/powder_change.h"
 #include "process/machine/actions/powder_inflow.h"
-#include "process/scene/contact_spec.h"
+#include "process/scene/contact/contact_spec.h"
 #include "process/scene/reading/sections.h"
 
 namespace diefill::process {

@@ -1,7 +1,7 @@
 #include <optional>
 
-#include "process/scene/powder_file.h"
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_file.h"
+#include "process/scene/powder/powder_presets.h"
 #include "process/scene/reading/plausibility.h"
 #include "process/scene/reading/read_clump.h"
 #include "process/scene/reading/sections.h"

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "process/input/numbers_apart.h"
-#include "process/scene/contact_spec.h"
+#include "process/scene/contact/contact_spec.h"
 #include "process/scene/reading/plausibility.h"
 #include "process/scene/reading/sections.h"
 #include "process/scene/setting.h"

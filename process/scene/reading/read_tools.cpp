@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "geometry/cad/cad_parts.h"
-#include "process/scene/contact_spec.h"
+#include "process/scene/contact/contact_spec.h"
 #include "process/scene/reading/plausibility.h"
 #include "process/scene/reading/sections.h"
 #include "process/scene/reading/wall_rules.h"

@@ -1,8 +1,8 @@
 #include <toml++/toml.h>
 
 #include "process/machine/actions/powder_change.h"
-#include "process/scene/contact_spec.h"
-#include "process/scene/powder_file.h"
+#include "process/scene/contact/contact_spec.h"
+#include "process/scene/powder/powder_file.h"
 #include "process/scene/reading/free_tools.h"
 #include "process/scene/reading/graded_pour.h"
 #include "process/scene/reading/sections.h"

@@ -307,7 +307,7 @@ TEST(CadAsItComes, AProductThatStepPlacesTwiceIsAskedFor) {
   expect_as_plain(die);
 }
 
-TEST(CadAsItComes, StepIsRefusedWhereTheLibraryThatReadsItIsMissing) {
+TEST(CadAsItComes, AMissingLibraryForStepIsAFaultOfTheInstallation) {
   const SmallDie die;
   write_step_files(die);
   die.exchange("file = \"die.stl\"" + kMm, "file = \"nested.step\"\npart = \"die\"");
@@ -315,8 +315,9 @@ TEST(CadAsItComes, StepIsRefusedWhereTheLibraryThatReadsItIsMissing) {
   elsewhere.program = die.folder() / "diefill";
   std::filesystem::copy_file(DIEFILL_PROGRAM, elsewhere.program);
   const Outcome outcome = run_program({"check", die.scene().string()}, elsewhere);
-  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  expect_says(outcome.err, "tool \"die\"");
   expect_says(outcome.err, "libdiefill_opencascade.so");
   expect_says(outcome.err, "install diefill again, or export the parts as STL");
 }

@@ -37,16 +37,16 @@ TEST(Compare, RunsAllVariantsAndSeedsAndSaysWhatDiffers) {
     EXPECT_EQ(report.at("seed").dump(), seed);
     EXPECT_TRUE(report.contains("solid_fraction_top_minus_bottom"));
     EXPECT_TRUE(report.contains("solid_fraction_along_travel_1"));
-    sum += 1e3 * report.at("filled_mass_kg").get<double>();
+    sum += report.at("filled_mass_kg").get<double>();
   }
   const auto quick = value_in(comparison, "filled_mass_kg", "quick");
-  EXPECT_NEAR(quick.at("mean").get<double>(), sum / 2, 1e-9);
+  EXPECT_NEAR(quick.at("mean").get<double>(), sum / 2, 1e-12);  // kg
   EXPECT_EQ(quick.at("seeds"), 2);
   EXPECT_EQ(quick.at("verdict"), "reference");
   // The shoe that stays beside the pocket fills nothing.
   const auto stays = value_in(comparison, "filled_mass_kg", staying);
   EXPECT_EQ(stays.at("mean"), 0);
-  EXPECT_NEAR(stays.at("difference").get<double>(), -sum / 2, 1e-9);
+  EXPECT_NEAR(stays.at("difference").get<double>(), -sum / 2, 1e-12);
   EXPECT_NEAR(value_in(comparison, "cycle_time_s", staying).at("mean").get<double>(), 1e-3, 1e-12);
 
   EXPECT_NE(outcome.out.find("difference from \"quick\""), std::string::npos) << outcome.out;

@@ -1,6 +1,8 @@
 // Experiments with the method from the command line: tables and charts of each, and names that do not exist.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/app/small_die.h"
 
 namespace diefill::app {
@@ -143,6 +145,17 @@ TEST(Lab, KeepsTheDataSheetOfAnotherPowderOfTheSameFileName) {
   EXPECT_EQ(contents(sheet / "previous-1/data_sheet.html"), "of another");
   EXPECT_NE(outcome.err.find("previous-1"), std::string::npos) << outcome.err;
   EXPECT_NE(contents(sheet / "data_sheet.html"), "of another");
+}
+
+TEST(Lab, QuietFidelityPrintsOnlyWhereThePageIs) {
+  const support::TemporaryFolder folder;
+  const auto page = folder.path() / "FIDELITY.md";
+  const Outcome outcome = run_program({"lab", "fidelity", "--collect", "--quiet", "--page", page.string(),
+                                       "--out", (folder.path() / "lab").string()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1) << outcome.out;
+  EXPECT_NE(outcome.out.find(" published figures in " + page.string()), std::string::npos) << outcome.out;
+  EXPECT_TRUE(std::filesystem::exists(page));
 }
 
 TEST(Lab, HelpOfAnExperimentHasItsOwnExampleAndOptions) {

@@ -117,6 +117,38 @@ TEST_F(EveryPicture, OfSpeedsOfSeveralRunsIsOnOneScale) {
   EXPECT_NE(first_of_both(kinds[1]), alike_view);
 }
 
+TEST_F(EveryPicture, OfSeveralRunsIsInThePlaneOfTheFirst) {
+  for (const std::string kind : {"section", "velocity-section", "pressure-section"}) {
+    SCOPED_TRACE(kind);
+    results::write_results(two(), small_ring());
+    const auto of_second = [&] {
+      const Outcome outcome = map({"--picture", kind}, true);
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+      const std::string lines = outcome.out;
+      const std::size_t at = lines.find('\n') + 1;
+      return support::contents(lines.substr(at, lines.find('\n', at) - at));
+    };
+    const std::string alike = of_second();
+    auto turned = small_ring();
+    turned.sections[0].plane.normal = {1, 0, 0};
+    turned.sections[0].plane.first_axis = {0, 1, 0};
+    results::write_results(two(), turned);
+    EXPECT_EQ(of_second(), alike);
+  }
+}
+
+TEST_F(EveryPicture, InAPlaneWithoutPowderOfOneRunIsRefusedInOneLine) {
+  auto away = small_ring();
+  for (auto& place : away.powder.position) place.y() += 1;
+  results::write_results(two(), away);
+  const Outcome outcome = map({"--picture", "section"}, true);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("found no powder of two near the plane, which is the same for all results"),
+            std::string::npos)
+      << outcome.err;
+}
+
 TEST_F(EveryPicture, OfGrainsUnderPressureIsOfTheEndOnly) {
   EXPECT_EQ(map({"--picture", "view", "--colour-by", "pressure"}).exit_code, 0);
   const Outcome earlier = map({"--picture", "view", "--colour-by", "pressure", "--to", "0.1 s"});

@@ -138,6 +138,7 @@ TEST_F(WrongPictures, WrongWordsAreExplainedInOneLine) {
       {{"--picture", "section", "--origin", "0 mm", "0 mm", "40 mm"}, "outside die and powder"},
       {{"--picture", "difference", "--from", "-1 s"}, "--from: found \"-1 s\", allowed: 0 s to"},
       {{"--picture", "map", "--cavity", "0"}, "--cavity: found \"0\""},
+      {{"--picture", "histogramm"}, "did you mean \"histogram\"? (allowed: map, plan-map, "},
       {{"--picture", "view", "--colour-by", "sped"}, "did you mean \"speed\"?"},
       {{"--picture", "view", "--camera", "frnt"}, "did you mean \"front\""},
       {{"--picture", "view", "--time-average"}, "shows one instant; allowed: map plan-map section"},

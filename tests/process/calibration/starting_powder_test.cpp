@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "process/calibration/powder_samples.h"
-#include "process/scene/powder_file.h"
+#include "process/scene/powder/powder_file.h"
 #include "tests/process/fitted_with.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"

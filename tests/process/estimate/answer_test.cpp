@@ -1,7 +1,7 @@
 // When an estimate gives an answer, and why there is none.
 #include <gtest/gtest.h>
 
-#include "process/estimate/limits.h"
+#include "process/estimate/statements/limits.h"
 #include "process/estimate/trapped_air.h"
 #include "tests/process/estimate/estimate_scene.h"
 
@@ -26,6 +26,12 @@ TEST(EstimateAnswer, WithinTheRangeNeedsNoSimulation) {
   EXPECT_EQ(found.answer, Answer::fills) << answer_said(found);
   EXPECT_TRUE(found.open_because.empty());
   EXPECT_TRUE(says(answer_said(found), "with grains of 2.35 mm fills every cavity")) << answer_said(found);
+}
+
+TEST(EstimateAnswer, SaysHowManyTimesThePowderWouldFillTheCavityInPlainNumbers) {
+  const std::string said = answer_said(estimated(kSquare, {{"passages = 1", "passages = 1000"}}));
+  EXPECT_TRUE(says(said, "times what the cavity holds would run in")) << said;
+  EXPECT_FALSE(says(said, "e+")) << said;
 }
 
 TEST(EstimateAnswer, OfGrainsBeyondTheRangeIsOpen) {

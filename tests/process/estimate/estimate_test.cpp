@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "process/estimate/filling.h"
-#include "process/estimate/openings.h"
+#include "process/estimate/discharge/filling.h"
+#include "process/estimate/openings/openings.h"
 #include "process/input/scene_error.h"
 #include "tests/process/estimate/estimate_scene.h"
 #include "tests/support/temporary_folder.h"

@@ -1,8 +1,8 @@
 // Punches that fall under the shoe, and dies that are lifted over them.
 #include <gtest/gtest.h>
 
-#include "process/estimate/openings.h"
-#include "process/estimate/punch_room.h"
+#include "process/estimate/openings/openings.h"
+#include "process/estimate/openings/punch_room.h"
 #include "tests/process/estimate/estimate_scene.h"
 
 namespace diefill::process::estimate {

@@ -1,5 +1,5 @@
 // The law by which inflow slows in a cavity that fills.
-#include "process/estimate/filling.h"
+#include "process/estimate/discharge/filling.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "process/estimate/inflow.h"
-#include "process/estimate/powder_discharge.h"
+#include "process/estimate/discharge/inflow.h"
+#include "process/estimate/discharge/powder_discharge.h"
 #include "process/input/scene_error.h"
 #include "tests/support/temporary_folder.h"
 

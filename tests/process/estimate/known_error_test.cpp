@@ -1,10 +1,10 @@
 // Errors are told of powders that were measured, not of changed ones.
-#include "process/estimate/known_error.h"
+#include "process/estimate/statements/known_error.h"
 
 #include <gtest/gtest.h>
 
-#include "process/scene/powder_presets.h"
-#include "process/scene/unchanged_preset.h"
+#include "process/scene/powder/powder_presets.h"
+#include "process/scene/powder/unchanged_preset.h"
 #include "tests/process/estimate/estimate_scene.h"
 
 namespace diefill::process::estimate {

@@ -1,5 +1,5 @@
 // Openings that powder runs out of by itself, in scenes without a shoe.
-#include "process/estimate/outlet.h"
+#include "process/estimate/openings/outlet.h"
 
 #include <gtest/gtest.h>
 

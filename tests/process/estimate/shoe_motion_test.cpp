@@ -1,7 +1,7 @@
 // What estimates make of the shoe's motion: many passages, stands, shaking, a cavity that is open at first.
 #include <gtest/gtest.h>
 
-#include "process/estimate/inflow.h"
+#include "process/estimate/discharge/inflow.h"
 #include "tests/process/estimate/estimate_scene.h"
 
 namespace diefill::process::estimate {

@@ -8,6 +8,7 @@
 #include "process/measure/measure.h"
 #include "process/results/places_without_value.h"
 #include "process/run/assemble.h"
+#include "tests/geometry/sample_meshes.h"
 #include "tests/process/measure_sample.h"
 
 namespace diefill::process {
@@ -120,6 +121,36 @@ TEST(BoxMap, ShowsTheHoleWherePowderIsMissing) {
   EXPECT_NEAR(at(plan, -1, 0), 0.4, 1e-12);
   EXPECT_TRUE(std::isnan(at(plan, 1, 0)));
   EXPECT_FALSE(results::is_unvalued_powder(at(plan, 1, 0)));
+}
+
+/// A square core of 2.2 mm in the middle of a box 5.75 mm deep, with powder around it up to half the height.
+results::FillResult box_with_core() {
+  results::FillResult result = filled_box(3e-3);
+  std::vector<Eigen::Vector3d> places;
+  for (const auto& place : result.powder.position)
+    if (std::max(std::abs(place.x()), std::abs(place.y())) > 1.1e-3) places.push_back(place);
+  result.powder = powder_of(places);
+  result.solid_fraction = fraction_of(result.powder, [](const auto&) { return 0.4; });
+  result.cavity.upper_corner.z() = 2.75e-3;
+  const auto core = geometry::sample::box({-1.1e-3, -1.1e-3, -4e-3}, {1.1e-3, 1.1e-3, 2.75e-3});
+  results::ToolState tool;
+  tool.name = tool.role = "core";
+  tool.vertices = core.vertices;
+  tool.triangles = core.triangles;
+  result.tools = {tool};
+  return result;
+}
+
+// Nodes are 0.25 mm apart. The highest place looked at is 0.24 mm below the top of the core, where the powder
+// does not reach.
+TEST(BoxMap, SeenFromAbovePowderReachesToolsThatEndAtTheFillPlane) {
+  const auto plan = box_map(box_with_core(), BoxView::kPlan, 5e-4);
+  for (const double beside : {-1.25, -1.0, 1.0, 1.25}) {
+    EXPECT_NEAR(at(plan, beside, 0), 0.4, 1e-12) << beside;
+    EXPECT_NEAR(at(plan, 0, beside), 0.4, 1e-12) << beside;
+  }
+  for (const double within : {-0.75, 0.0, 0.75})
+    EXPECT_TRUE(results::is_inside_tool(at(plan, within, 0))) << within;
 }
 
 TEST(FillLevelMap, IsTheHeightOfTheSurface) {

@@ -103,6 +103,7 @@ TEST(Verdict, LeadsWithMassAndFindsTheLooseEnd) {
   EXPECT_TRUE(text.starts_with("full (105 %): 0.754 g")) << text;
   EXPECT_TRUE(has(text, "loosest where the shoe leaves (solid fraction 0.3")) << text;
   EXPECT_FALSE(has(text, "below the fill plane")) << text;
+  EXPECT_FALSE(has(text, "too few grains")) << text;
   result.cavity.azimuth_zero = -Eigen::Vector3d::UnitX();
   EXPECT_TRUE(has(verdict(result), "loosest where the shoe arrives"));
   result.figures["shoe_speed_m_s"] = std::nan("");
@@ -118,6 +119,27 @@ TEST(Verdict, FindsTheLooseTopAndTheLowSurface) {
   EXPECT_TRUE(has(text, "loosest at the bottom")) << text;
   EXPECT_TRUE(has(text, "surface 1.5 mm below the fill plane")) << text;
   EXPECT_FALSE(has(text, "lowest where")) << text;
+}
+
+// Where the shoe arrives, the upper third of x, stand two of twelve layers: none is two diameters deep.
+TEST(Verdict, NamesThePartsWithTooFewGrainsToBeCompared) {
+  const auto with_low_end = [](const Fraction& value) {
+    auto result = box(value);
+    std::vector<Eigen::Vector3d> places;
+    for (const auto& at : result.powder.position)
+      if (at.x() < 5e-3 / 3 || at.z() < -5e-3) places.push_back(at);
+    result.powder = powder_of(places);
+    result.solid_fraction = fraction_of(result.powder, value);
+    result.summary = summarise(result.powder, result.solid_fraction, result.cavity);
+    measure(result);
+    return verdict(result);
+  };
+  const std::string few = "; too few grains to judge the powder where the shoe arrives";
+  const std::string loose = with_low_end([](const auto& at) { return at.x() < -2e-3 ? 0.3 : 0.4; });
+  EXPECT_TRUE(has(loose, "loosest where the shoe leaves (solid fraction 0.3")) << loose;
+  EXPECT_TRUE(has(loose, few)) << loose;
+  const std::string even = with_low_end([](const auto&) { return 0.4; });
+  EXPECT_TRUE(has(even, "no region significantly looser than the rest" + few)) << even;
 }
 
 TEST(Verdict, SaysNothingOfPlacesWithinTheScatter) {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "process/plan/grain_size_trends.h"
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 #include "project_paths.h"
 
 namespace diefill::process::plan {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "process/machine/actions/powder_change.h"
+#include "process/machine/actions/settle.h"
 #include "tests/process/plan/plan_sample.h"
 
 namespace diefill::process::plan {
@@ -53,6 +54,19 @@ TEST(PlanNeeds, StiffnessIsJudgedByTheLargestGravityOfAnyStep) {
   const Needs later = needs_of(planned.scene, planned.tooling);
   EXPECT_NEAR(later.weight_pressure, 2 * at_once, 1e-9 * at_once);
   EXPECT_TRUE(says(description(later, planned.scene, planned.tooling), "MPa (3000 times as much)"));
+}
+
+TEST(PlanNeeds, StepsThatUntilMayEndEarlierAreSaidToBeForecastAtTheirLongest) {
+  PlannedScene planned;
+  const Needs needs = needs_of(planned.scene, planned.tooling);
+  const std::string words = "simulated time: the longest possible of step.2 (pause), which `until` may end";
+  EXPECT_FALSE(says(description(needs, planned.scene, planned.tooling), "simulated time"));
+  const auto open = std::make_shared<Settle>(std::nullopt), pause = std::make_shared<Settle>(0.3);
+  open->plan.until.emplace().filled_mass = 1e-3;  // lasts until then: it has no length of its own
+  pause->plan.name = "pause";
+  pause->plan.until.emplace().filled_mass = 1e-3;
+  planned.scene.steps = {open, pause};
+  EXPECT_TRUE(says(description(needs, planned.scene, planned.tooling), words));
 }
 
 TEST(PlanNeeds, WithoutGravityNoLeastStiffnessIsNamed) {

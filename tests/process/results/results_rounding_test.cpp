@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "process/results/formatted.h"
 #include "process/results/full_die.h"
 #include "process/results/rounding.h"
 
@@ -25,6 +26,15 @@ TEST(Rounding, ValuesWithoutScatterKeepAFewDigits) {
   EXPECT_EQ(with_scatter(3.4567891, 1e-9), "3.4568 ± 1e-09");
   EXPECT_EQ(with_scatter(0.31, 8e-17), "0.31 ± 0") << "rounding of a sum";
   EXPECT_EQ(with_scatter(std::nan(""), 1), "");
+}
+
+TEST(Formatted, ShowsZeroWithoutASign) {
+  EXPECT_EQ(formatted("(%.2f, %.2f, %.2f) mm", 8.0, -0.0014, -6.97), "(8.00, 0.00, -6.97) mm");
+  EXPECT_EQ(formatted("%.1f", -0.04), "0.0");
+  EXPECT_EQ(formatted("at %.2f.", -0.0), "at 0.00.");
+  EXPECT_EQ(formatted("%.3e", -0.0), "-0.000e+00");
+  EXPECT_EQ(formatted("%.3f and %.2f", -0.002, -0.01), "-0.002 and -0.01");
+  EXPECT_EQ(formatted("%.17g", -0.0), "-0") << "written to be read again";
 }
 
 TEST(Rounding, SharesAreInWholePercent) {

@@ -13,7 +13,7 @@
 #include "process/results/storage/result_file.h"
 #include "process/run/restart/checkpoint.h"
 #include "process/run/suction.h"
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 #include "process/setup/pour.h"
 #include "process/tooling/periodic_tool.h"
 #include "process/tooling/rest.h"

@@ -26,13 +26,14 @@ geometry::Mesh plate() {
 /// About a hundred grains that fall on the plate; `other` are tables beside [powder].
 class OnAPlate {
  public:
-  explicit OnAPlate(const std::string& powder, const std::string& other = "") {
+  explicit OnAPlate(const std::string& powder, const std::string& other = "",
+                    const std::string& steps = "[[step]]\nkind = \"wait\"\nduration = \"1 s\"\n") {
     support::SceneTables tables;
     tables.powder = powder + "\n" + other;
     tables.pour =
         "from = [\"-1 mm\", \"-1 mm\", \"0 mm\"]\nto = [\"1 mm\", \"1 mm\", \"5 mm\"]\n"
         "fill_height = \"1.5 mm\"\n";
-    tables.steps = "[[step]]\nkind = \"wait\"\nduration = \"1 s\"\n";
+    tables.steps = steps;
     scene = read_scene(folder_.write(support::scene_text(tables)));
     tooling.tools.resize(1);
     tooling.tools[0].spec = scene.tools[0];
@@ -88,6 +89,24 @@ TEST(FillRun, MeasuresTheOverlapOfUnequalSpheresByTheirOwnRadius) {
   EXPECT_EQ(result.figures.at("deepest_overlap_ratio"), deepest.grains_over_radius);
   EXPECT_EQ(result.figures.at("deepest_wall_overlap_ratio"), deepest.walls_over_radius);
   EXPECT_LT(deepest.walls_over_radius, deepest.walls / 0.05e-3) << "the larger spheres overlap most";
+}
+
+TEST(FillRun, StopsEveryGrainWhereAChangeSaysAtRest) {
+  // They fall for 1 ms and then float.
+  OnAPlate falling(
+      "preset = \"Distaloy AE\"\n", "",
+      "[[step]]\nkind = \"settle\"\nduration = \"1 ms\"\nfrom_start = true\n\n[[step]]\nkind = "
+      "\"change\"\nat_rest = true\ngravity = [\"0 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n\n[[step]]\n"
+      "kind = \"wait\"\nduration = \"1 s\"\n");
+  const auto before = falling.run_until(0.9e-3);
+  EXPECT_LT(before->simulation().grains().velocity.front().z(), -8e-3);
+  const auto after = falling.run_until(1.5e-3);
+  const engine::Grains& grains = after->simulation().grains();
+  ASSERT_GT(grains.size(), 10U);
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    EXPECT_EQ(grains.velocity[k].norm(), 0) << k;
+    EXPECT_EQ(grains.spin[k].norm(), 0) << k;
+  }
 }
 
 TEST(FillRun, EndsWithTheWarningsOfAnUnbrokenRunAfterARestart) {

@@ -76,5 +76,24 @@ TEST(LostGrains, AFastGrainIsTracedBackToTheWallThatItCameThrough) {
   EXPECT_THROW(LostGrains(tooling, {kGrainDiameter}).strayed(simulation, kInterval), engine::OutOfRange);
 }
 
+/// What a run says of a grain that came in through the wall.
+std::string complaint_of(const Tooling& tooling) {
+  const auto simulation = one_grain(tooling, {1.9e-3, 0, 10e-3}, {2, 0, 0});
+  try {
+    LostGrains(tooling, {kGrainDiameter}).strayed(simulation, kInterval);
+  } catch (const engine::OutOfRange& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(LostGrains, RemedyIsThatOfTheKindOfWall) {
+  Tooling tooling = shoe_wall();
+  EXPECT_NE(complaint_of(tooling).find("reduce the spacing of the wall spheres"), std::string::npos);
+  tooling.tools.front().wall_mesh = tooling.tools.front().mesh;
+  EXPECT_NE(complaint_of(tooling).find("reduce the speed of the tool, or make"), std::string::npos);
+  EXPECT_EQ(complaint_of(tooling).find("wall spheres"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace diefill::process

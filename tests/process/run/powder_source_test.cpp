@@ -9,7 +9,7 @@
 #include "engine/simulation/simulation.h"
 #include "process/powder/material.h"
 #include "process/run/check_intervals.h"
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 #include "process/tooling/half_model.h"
 
 namespace diefill::process {

@@ -14,7 +14,7 @@
 #include "process/machine/motions/vibration.h"
 #include "process/powder/material.h"
 #include "process/run/snapshots.h"
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 
 namespace diefill::process {
 namespace {

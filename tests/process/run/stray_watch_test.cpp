@@ -28,6 +28,18 @@ TEST(StrayWatch, NamesTheToolAndThePlaceOfTheFirstAndWhatToDo) {
     EXPECT_NE(warning->find(part), std::string::npos) << *warning;
 }
 
+TEST(StrayWatch, RemedyForAMeshSpeaksOfNoWallSpheres) {
+  Tooling tooling = with_shoe();
+  tooling.tools[1].wall_mesh.emplace();
+  StrayWatch watch(tooling);
+  watch.count_removed({7, 1, {1e-3, -2e-3, 30e-3}}, 0.5);
+  const std::string warning = watch.warning(100).value_or("");
+  for (const char* part : {kWhere, "reduce the speed of the tools", "whose wall is its mesh"})
+    EXPECT_NE(warning.find(part), std::string::npos) << warning;
+  for (const char* part : {"wall spheres", "skip_far_walls"})
+    EXPECT_EQ(warning.find(part), std::string::npos) << warning;
+}
+
 TEST(StrayWatch, SaysTheSameAfterARestart) {
   const Tooling tooling = with_shoe();
   StrayWatch watch(tooling), resumed(tooling);

@@ -4,7 +4,7 @@
 
 #include "process/calibration/calibration_file.h"
 #include "process/machine/step_registry.h"
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 #include "process/scene/scene.h"
 #include "process/scene/variants.h"
 #include "project_paths.h"

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "process/scene/contact_spec.h"
-#include "process/scene/powder_file.h"
+#include "process/scene/contact/contact_spec.h"
+#include "process/scene/powder/powder_file.h"
 #include "process/scene/variants.h"
 #include "tests/process/fitted_with.h"
 #include "tests/process/scene_files.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 #include "process/scene/scene.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"

@@ -1,4 +1,4 @@
-#include "process/tooling/other_cavities.h"
+#include "process/tooling/examination/other_cavities.h"
 
 #include <gtest/gtest.h>
 

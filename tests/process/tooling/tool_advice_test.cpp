@@ -1,7 +1,7 @@
 // What users are told to do about a tool: possible, and short whatever its file holds.
 #include <gtest/gtest.h>
 
-#include "process/tooling/tool_scale.h"
+#include "process/tooling/examination/tool_scale.h"
 #include "process/tooling/tooling.h"
 
 namespace diefill::process {

@@ -1,5 +1,5 @@
 // Tools far away or of a size that no press has: told by their place or their unit, whichever is wrong.
-#include "process/tooling/tool_fit.h"
+#include "process/tooling/examination/tool_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ TEST(ToolFit, ToolsWithinTwentyMetresAreTaken) {
 TEST(ToolFit, AHugeToolIsToldAboutItsUnitAndNotItsDistance) {
   const std::string message = complaint({100, 100, 0}, 200);
   expect_says(message,
-              "measures 2e+05 x 2e+05 x 2e+05 mm, allowed: up to 2000 mm; check whether length_unit");
+              "measures 200000 x 200000 x 200000 mm, allowed: up to 2000 mm; check whether length_unit");
   expect_says(message, "200 mm in \"um\"");
   EXPECT_EQ(message.find("origin"), std::string::npos) << message;
 }

@@ -72,6 +72,21 @@ TEST_F(ChartTest, CurvesPassThroughTheirPoints) {
   }
 }
 
+TEST_F(ChartTest, LongLegendsStandCloserAndInSmallerType) {
+  constexpr double kWidth = 1400, kRow = 42;
+  const auto height_of = [](std::size_t names, const std::string& words, const std::string& first) {
+    std::vector<Curve> curves(names, {words, {}, {}, CurveStyle::kLine, {}});
+    curves[0].name = first;
+    return draw_legend(nullptr, curves, 0, 0, kWidth);
+  };
+  const std::string name = "grains of 1 mm", long_name(60, 'm');
+  EXPECT_EQ(height_of(3, long_name, name), 3 * kRow);
+  EXPECT_EQ(height_of(4, name, name), kRow);
+  // One long name leaves the others side by side; in columns of its width they would take twelve rows.
+  EXPECT_LE(height_of(12, name, long_name), 5 * kRow);
+  EXPECT_LT(height_of(24, "measured, friction 0.3, grains of 1 mm", name), 9 * kRow);
+}
+
 TEST_F(ChartTest, MissingValuesLeaveAGap) {
   Chart chart;
   chart.curves = {{"", {0, 1, 2, 3, 4}, {1, 1, kNone, 1, 1}, CurveStyle::kLine, {}}};

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "render/report/calibration_data_section.h"
 #include "render/report/html.h"
+#include "render/report/sections/calibration_data_section.h"
 #include "tests/render/fields/drawing_test.h"
 
 namespace diefill::render::report {

@@ -1,5 +1,5 @@
 // Results beside measured data in reports: what must be read and seen is there.
-#include "render/report/measured_section.h"
+#include "render/report/sections/measured_section.h"
 
 #include <gtest/gtest.h>
 

@@ -7,14 +7,14 @@
 #include <regex>
 
 #include "render/report/comparison.h"
-#include "render/report/critical_speed.h"
 #include "render/report/figure_text.h"
 #include "render/report/html.h"
-#include "render/report/over_time.h"
 #include "render/report/pdf.h"
-#include "render/report/run_sections.h"
-#include "render/report/strategies.h"
-#include "render/report/timeline.h"
+#include "render/report/sections/critical_speed.h"
+#include "render/report/sections/over_time.h"
+#include "render/report/sections/run_sections.h"
+#include "render/report/sections/strategies.h"
+#include "render/report/sections/timeline.h"
 #include "tests/render/fields/drawing_test.h"
 
 namespace diefill::render::report {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "render/report/comparison.h"
-#include "render/report/filling_section.h"
-#include "render/report/strategies.h"
+#include "render/report/sections/filling_section.h"
+#include "render/report/sections/strategies.h"
 
 namespace diefill::render::report {
 namespace {

@@ -2,6 +2,9 @@
 // (Bierwisch 2009, section 3.2.3): model D, mu = 1, cohesion in proportion to the grain size. Coarse: d =
 // 0.94 and 1.88 mm, half the lengths of the set-up; medium: the same sizes in the whole one; published: also
 // 0.47 mm.
+#include <cmath>
+#include <limits>
+
 #include "process/laboratory/published/bierwisch/heap_shape.h"
 #include "process/laboratory/published/bierwisch/repose_scene.h"
 #include "process/laboratory/published/experiments.h"
@@ -68,8 +71,10 @@ LabPlan plan_heap_sizes(const LabSetting& setting) {
   plan.quantities.push_back(
       {.id = "R12", .quantity = "", .unit = "", .runs = runs, .value = [=](const SeedResults& seed) {
          const std::string &fine = runs.front(), &coarse = runs.back();
-         return 0.5 * (toe_on_floor(seed, coarse, reach) > toe_on_floor(seed, fine, reach)) +
-                0.5 * (peak_on_slider(seed, coarse, reach) > peak_on_slider(seed, fine, reach));
+         const double toe = toe_on_floor(seed, coarse, reach) - toe_on_floor(seed, fine, reach),
+                      peak = peak_on_slider(seed, coarse, reach) - peak_on_slider(seed, fine, reach);
+         if (!std::isfinite(toe + peak)) return std::numeric_limits<double>::quiet_NaN();
+         return 0.5 * (toe > 0) + 0.5 * (peak > 0);
        }});
   return plan;
 }

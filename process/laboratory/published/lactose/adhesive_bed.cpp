@@ -58,6 +58,7 @@ std::string step_lines(const AdhesivePowder& powder, const AdhesiveBed& bed) {
   const bool waits = bed.packing == Packing::clusters || bed.packing == Packing::motion;
   std::string set = line("step.stir.random_velocity", with_unit(kSpeed * std::sqrt(kGravity * d), "m/s"));
   set += line("step.fly.duration", seconds(kFly * unit));
+  set += line("step.stick.at_rest", bed.packing == Packing::clusters ? "true" : "false");
   set += line("step.stick.contact", "{ attraction = " + attraction_part(powder, bed.packing) + " }");
   set += line("step.cluster.duration", seconds((waits ? kFly : 0.01) * unit));
   double fall = std::sqrt(2 * height) * unit;

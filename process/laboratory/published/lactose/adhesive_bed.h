@@ -38,7 +38,7 @@ AdhesivePowder lh220();
 
 /// How the bed comes about (section 1 of the source's study of packing).
 enum class Packing {
-  clusters,  ///< attraction from afar; spheres stick before they fall
+  clusters,  ///< attraction from afar; spheres are stopped in flight and stick before they fall
   motion,    ///< spheres stick on contact while they still fly, before they fall
   slow,      ///< stick on contact while they fall, no faster than in air
   plain,     ///< stick on contact while they fall

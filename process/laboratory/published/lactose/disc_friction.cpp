@@ -18,6 +18,7 @@ constexpr double kStresses[] = {3e3, 2e3, 1.75e3, 1.5e3, 1.25e3, 1e3};  // Pa
 constexpr double kHeld = 2, kRow = 0.02;  // d at the rim: at each stress, between rows of the probe
 /// Of a stress: rows are those at which the disc presses as near to it as this.
 constexpr double kNear = 0.04;
+constexpr double kGap = 0.15;  // d, between the rims of disc and cell (laboratory.scad)
 
 /// A powder on a disc.
 struct DiscTest {
@@ -53,6 +54,11 @@ LabRun run_of(const DiscTest& one) {
   return {one.run(), "disc_friction.toml", {set, {}}};
 }
 
+/// Radius of the cell, which stresses are computed with, over that of the disc, at whose rim friction ends.
+double cell_over_disc(const FilledCell& filled) {
+  return filled.radius() / (filled.radius() - kGap * filled.powder.diameter());
+}
+
 /// Mean over the rows near each stress while the disc turns, but for its first grain diameter.
 std::vector<MeanStress> points_of(const SeedResults& seed, const DiscTest& one) {
   const auto spans = spans_of(seed, one.run(), kDisc);
@@ -65,7 +71,7 @@ std::vector<MeanStress> points_of(const SeedResults& seed, const DiscTest& one) 
     for (std::size_t k = 0; k < curve.time.size(); ++k) {
       if (curve.time[k] < from || std::abs(curve.normal[k] - stress) > kNear * stress) continue;
       near.time.push_back(curve.time[k]), near.normal.push_back(curve.normal[k]);
-      near.shear.push_back(curve.shear[k]);
+      near.shear.push_back(curve.shear[k] * cell_over_disc(one.filled));
     }
     if (!near.time.empty()) points.push_back(mean_stress(near, near.time.front(), near.time.back()));
   }

@@ -48,8 +48,7 @@ Study study_of(const LabSetting& setting, const std::string& table) {
 
 LabPlan plan_of(const Study& study) {
   LabPlan plan;
-  for (const ShearTest& test : study.tests)
-    for (const double stress : test.stresses) plan.runs.push_back(run_of(test, stress));
+  plan.runs = runs_of(study.tests);
   return plan;
 }
 

@@ -14,6 +14,9 @@ struct ShearCell {
   int bore = 10;            ///< d, as there are drawings for: 10 or 16
   int grains = 900;         ///< that fill it about as high as it is wide
   double rim_speed = 0.02;  ///< m/s
+
+  /// d, of the head's vanes: 3 in the cell of 16 d, less in the other, whose lengths are all 5/8 of those.
+  double vane_depth() const { return 3.0 * bore / 16; }
 };
 
 /// That of the experiments of a size.

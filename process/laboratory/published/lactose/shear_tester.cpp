@@ -233,8 +233,10 @@ bool has_all(const SeedResults& seed, const ShearedPowder& one) {
 LabPlan plan_shear_tester(const LabSetting& setting) {
   const std::vector<ShearedPowder> all = powders(setting.size);
   LabPlan plan;
+  std::vector<ShearTest> tests;
+  for (const ShearedPowder& one : all) tests.push_back(one.test);
+  plan.runs = runs_of(tests);
   for (const ShearedPowder& one : all) {
-    for (const double stress : one.test.stresses) plan.runs.push_back(run_of(one.test, stress));
     add_published(plan, one);
     add_own(plan, one);
   }

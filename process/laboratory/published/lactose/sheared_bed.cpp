@@ -11,7 +11,6 @@ namespace {
 using continuum::StressPoint;
 
 constexpr const char *kHead = "head", *kPreshearedBed = "presheared";
-constexpr double kVanes = 3;      // d, below the head's face
 constexpr double kStretch = 3;    // d at the rim, of the pre-shear's means
 constexpr double kPeak = 0.3;     // d, over which the strength is a mean
 constexpr double kTravel = 2;     // d, of the head after it is unloaded, up and down
@@ -48,7 +47,7 @@ LabRun run_of(const ShearTest& test, double stress) {
   const FilledCell& filled = test.filled;
   const double unit = std::sqrt(filled.powder.diameter() / 9.81);
   const std::string hold = with_unit(kSettle * unit, "s"), speed = turns_a_minute(filled.turn_speed());
-  std::string set = filled_cell_lines(filled, kHead, "shear_head", kVanes);
+  std::string set = filled_cell_lines(filled, kHead, "shear_head", filled.cell.vane_depth());
   const double d = filled.powder.diameter();
   set += line("step.press.force", newtons(filled.force(kPreshearStress)));
   set += line("step.preshear.start", "{ with = \"press\", force = " +
@@ -67,6 +66,14 @@ LabRun run_of(const ShearTest& test, double stress) {
   set += line("step.shear.angle", degrees(filled.angle(test.sheared)));
   set += line("probe.head.interval", with_unit(filled.seconds(kRow), "s"));
   return {test.run_name(stress), "shear_tester.toml", {set, {}}};
+}
+
+std::vector<LabRun> runs_of(const std::vector<ShearTest>& tests) {
+  std::vector<LabRun> runs;
+  const std::size_t stresses = tests.empty() ? 0 : tests.front().stresses.size();
+  for (std::size_t k = 0; k < stresses; ++k)
+    for (const ShearTest& test : tests) runs.push_back(run_of(test, test.stresses[k]));
+  return runs;
 }
 
 std::optional<ShearSpans> shear_spans(const SeedResults& seed, const ShearTest& test, double stress) {
@@ -102,7 +109,8 @@ continuum::YieldLocus locus_of(const SeedResults& seed, const ShearTest& test) {
 
 double fraction_of(const SeedResults& seed, const ShearTest& test) {
   const auto& powder = seed.at(test.run_name(test.stresses.front()), kPreshearedBed).powder;
-  const double d = test.filled.powder.diameter(), from = 2 * d, to = surface_of(powder) - (kVanes + 1) * d;
+  const double d = test.filled.powder.diameter(), from = 2 * d,
+               to = surface_of(powder) - (test.filled.cell.vane_depth() + 1) * d;
   return volume_between(powder, from, to) / (test.filled.area() * (to - from));
 }
 

@@ -28,6 +28,10 @@ struct ShearTest {
 /// A run of shear_tester.toml.
 LabRun run_of(const ShearTest& test, double stress);
 
+/// Of all stresses of tests with equally many: those of the first stress, then those of the second, ... .
+/// Runs that are computed at the same time are of different beds, so that no pre-shear is computed twice.
+std::vector<LabRun> runs_of(const std::vector<ShearTest>& tests);
+
 /// When the head pre-sheared and sheared; nothing where it has not done all its motions.
 struct ShearSpans {
   Span preshear, shear;

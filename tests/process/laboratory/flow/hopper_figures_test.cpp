@@ -8,7 +8,7 @@
 #include <set>
 
 #include "process/laboratory/flow/registry.h"
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 
 namespace diefill::process::laboratory {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "process/scene/powder_presets.h"
+#include "process/scene/powder/powder_presets.h"
 
 namespace diefill::process::laboratory {
 namespace {

@@ -74,6 +74,13 @@ TEST(AdhesiveBed, StiffnessAndDampingAreThoseOfTheSource) {
   EXPECT_NEAR(std::exp(-std::numbers::pi * share / std::sqrt(1 - share * share)), coarse.restitution, 1e-12);
 }
 
+TEST(AdhesiveBed, SpheresOfClustersStopBeforeTheyStickAndThoseOfMotionDoNot) {
+  AdhesiveBed bed;
+  EXPECT_NE(packed_bed_lines(lh100(), bed).find("step.stick.at_rest = true\n"), std::string::npos);
+  bed.packing = Packing::motion;
+  EXPECT_NE(packed_bed_lines(lh100(), bed).find("step.stick.at_rest = false\n"), std::string::npos);
+}
+
 TEST(AdhesiveBed, FractionCountsTheCutSpheres) {
   results::PowderState powder;
   powder.grain_diameter = 2, powder.sphere_radius = 1;

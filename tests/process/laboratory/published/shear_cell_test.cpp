@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <set>
 
+#include "geometry/cad/read_binary_stl.h"
 #include "process/laboratory/published/experiments.h"
 #include "project_paths.h"
 
@@ -48,6 +51,21 @@ TEST(ShearCell, ThePeakIsTheHighestMeanOverItsLength) {
   EXPECT_TRUE(std::isnan(mean_stress(curve, 2, 3).shear));
 }
 
+/// Least height of a drawing, a binary STL file.
+double lowest_of(const std::string& drawing) {
+  const auto path = std::filesystem::path(DIEFILL_SOURCE_DIR) / "sample_tools/laboratory" / drawing;
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  return geometry::read_binary_stl(bytes).parts.front().mesh.bounding_box().lower.z();
+}
+
+TEST(ShearCell, VanesOfTheSmallerHeadAreScaledWithItsCell) {
+  EXPECT_DOUBLE_EQ(ShearCell{16}.vane_depth(), 3);
+  EXPECT_DOUBLE_EQ(ShearCell{10}.vane_depth(), 1.875);
+  EXPECT_NEAR(lowest_of("shear_head_16.stl"), -3, 1e-5);
+  EXPECT_NEAR(lowest_of("shear_head_10.stl"), -1.875, 1e-5);
+}
+
 /// Scenes of a plan but for the stress that the head is unloaded to.
 std::set<std::string> beginnings_of(const LabPlan& plan) {
   std::set<std::string> beginnings;
@@ -64,6 +82,19 @@ TEST(ShearCell, RunsOfAPowderShareTheirPreShear) {
   const LabPlan plan = plan_shear_tester({});
   EXPECT_EQ(plan.runs.size(), 10U);
   EXPECT_EQ(beginnings_of(plan).size(), 2U);
+}
+
+/// Those of the plan's first runs.
+std::set<std::string> beginnings_of_first(LabPlan plan, std::size_t count) {
+  plan.runs.resize(count);
+  return beginnings_of(plan);
+}
+
+TEST(ShearCell, RunsThatAreComputedAtTheSameTimeAreOfDifferentBeds) {
+  LabSetting setting;
+  setting.scenes = std::filesystem::path(DIEFILL_SOURCE_DIR) / "sample_tools/laboratory";
+  EXPECT_EQ(beginnings_of_first(plan_lh220_shear_range(setting), 33).size(), 33U);
+  EXPECT_EQ(beginnings_of_first(plan_shear_tester(setting), 2).size(), 2U);
 }
 
 TEST(ShearCell, BedsOfADesignAreSharedByTheirNormalStresses) {
