@@ -145,6 +145,7 @@ void Simulation::set_contact(const ContactLaws& contact) {
 }
 
 void Simulation::stop_grains() {
+  // Forces stay those of the last step, with their drag: it acts for half a step more.
   change_energy([&] {
     for (auto& velocity : state_.grains.velocity) velocity.setZero();
     for (auto& spin : state_.grains.spin) spin.setZero();

@@ -56,7 +56,10 @@ TEST(SimulationChanges, BalanceEnergy) {
 
 TEST(SimulationChanges, StoppedGrainsStayWhereTheyAre) {
   for (const auto model : {Model::b, Model::d}) {
-    Simulation simulation = cloud(weightless(model, {.friction = 0.5}, 2.5e-7));
+    const auto settings = weightless(model, {.friction = 0.5}, 2.5e-7);
+    const double size = 2 * half_size(settings.shape());
+    Simulation simulation(settings, {plane_wall()});
+    simulation.add_grains(converging_cloud({3, 3, 3}, 2 * size, 0.3, 4, {0, 0, 4 * size}));
     run_steps(simulation, 10);
     ASSERT_EQ(simulation.touching_pairs(), 0U);
     const Eigen::Vector3d place = position_of(simulation, 5);

@@ -8,8 +8,8 @@
 #include "process/measure/measure.h"
 #include "process/results/places_without_value.h"
 #include "process/run/assemble.h"
-#include "tests/geometry/sample_meshes.h"
 #include "tests/process/measure_sample.h"
+#include "tests/process/plan/plan_sample.h"
 
 namespace diefill::process {
 namespace {
@@ -132,7 +132,7 @@ results::FillResult box_with_core() {
   result.powder = powder_of(places);
   result.solid_fraction = fraction_of(result.powder, [](const auto&) { return 0.4; });
   result.cavity.upper_corner.z() = 2.75e-3;
-  const auto core = geometry::sample::box({-1.1e-3, -1.1e-3, -4e-3}, {1.1e-3, 1.1e-3, 2.75e-3});
+  const auto core = plan::box_mesh({-1.1e-3, -1.1e-3, -4e-3}, {1.1e-3, 1.1e-3, 2.75e-3});
   results::ToolState tool;
   tool.name = tool.role = "core";
   tool.vertices = core.vertices;

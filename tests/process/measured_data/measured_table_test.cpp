@@ -91,8 +91,8 @@ TEST_F(MeasuredCsv, EachFaultIsNamedInOneLineWithItsLine) {
             std::string::npos);
   EXPECT_EQ(complaint("speed [m/s],speed [m/s],s [g]\n1,2,3\n"),
             "data.csv:1:13: found column speed twice; remove one of them");
-  EXPECT_EQ(complaint(head), "data.csv: found no measured values");
-  EXPECT_EQ(complaint(""), "data.csv: found no measured values");
+  EXPECT_EQ(complaint(head), "data.csv: found no measured values; give a heading and a line for each value");
+  EXPECT_EQ(complaint(""), "data.csv: found no measured values; give a heading and a line for each value");
 }
 
 TEST_F(MeasuredCsv, AzimuthsOfOneDirectionAreOnePlace) {

@@ -99,13 +99,15 @@ TEST(FillRun, StopsEveryGrainWhereAChangeSaysAtRest) {
       "\"change\"\nat_rest = true\ngravity = [\"0 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n\n[[step]]\n"
       "kind = \"wait\"\nduration = \"1 s\"\n");
   const auto before = falling.run_until(0.9e-3);
-  EXPECT_LT(before->simulation().grains().velocity.front().z(), -8e-3);
+  const double speed = before->simulation().grains().velocity.front().norm(),
+               turning = before->simulation().grains().spin.front().norm();
+  EXPECT_GT(speed, 8e-3);
   const auto after = falling.run_until(1.5e-3);
   const engine::Grains& grains = after->simulation().grains();
   ASSERT_GT(grains.size(), 10U);
   for (std::size_t k = 0; k < grains.size(); ++k) {
-    EXPECT_EQ(grains.velocity[k].norm(), 0) << k;
-    EXPECT_EQ(grains.spin[k].norm(), 0) << k;
+    EXPECT_LT(grains.velocity[k].norm(), 1e-5 * speed) << k << ": more than the drag of half a step";
+    EXPECT_LE(grains.spin[k].norm(), 1e-3 * turning) << k;
   }
 }
 

@@ -13,7 +13,7 @@ namespace diefill::process {
 namespace {
 
 /// The powder of the faultless scene with its [powder] table exchanged.
-PowderSpec powder_of(const std::string& keys) {
+PowderSpec powder_spec_of(const std::string& keys) {
   const SceneFolder folder;
   std::string text = faultless_scene();
   const std::string old = "preset = \"Distaloy AE\"\ngrain_diameter = \"1.88 mm\"\n";
@@ -33,7 +33,7 @@ class Presets : public testing::TestWithParam<Row> {};
 
 TEST_P(Presets, HoldThePublishedParameters) {
   const Row& row = GetParam();
-  const PowderSpec powder = powder_of("preset = \"" + std::string(row.preset) + "\"\n");
+  const PowderSpec powder = powder_spec_of("preset = \"" + std::string(row.preset) + "\"\n");
   EXPECT_EQ(powder.name, row.preset);
   EXPECT_EQ(powder.model, row.model);
   EXPECT_EQ(powder.friction, row.friction);
@@ -73,7 +73,7 @@ TEST(Powder, PresetsAreElevenAndNoneIsListedTwice) {
 TEST(Powder, ApparentDensityIsKnownWherePublishedAndCanBeStated) {
   EXPECT_EQ(powder_preset("ASC100.29 D2").apparent_density, 3000);
   EXPECT_EQ(powder_preset("Distaloy AE").apparent_density, 0);
-  const auto powder = powder_of("preset = \"Distaloy AE\"\napparent_density = \"3.05 g/cm^3\"\n");
+  const auto powder = powder_spec_of("preset = \"Distaloy AE\"\napparent_density = \"3.05 g/cm^3\"\n");
   EXPECT_DOUBLE_EQ(powder.apparent_density, 3050);
 }
 
@@ -98,7 +98,7 @@ TEST(Powder, PrintedGrainSizesGiveTheTabulatedRadiiAndMasses) {
               {"1.88 mm", 4, 3.136e-4, 4.883e-6}};
   for (const auto& row : rows) {
     const PowderSpec powder =
-        powder_of("preset = \"Distaloy AE\"\ngrain_diameter = \"" + std::string(row.size) + "\"\n");
+        powder_spec_of("preset = \"Distaloy AE\"\ngrain_diameter = \"" + std::string(row.size) + "\"\n");
     const double factor = coarse_graining_factor(powder);
     EXPECT_NEAR(factor, row.factor, 1e-12);
     EXPECT_NEAR(factor * powder.sphere_radius, row.radius, 1e-12 * row.radius);
@@ -108,7 +108,7 @@ TEST(Powder, PrintedGrainSizesGiveTheTabulatedRadiiAndMasses) {
 }
 
 TEST(Powder, EveryPropertyOfAPresetCanBeOverridden) {
-  const PowderSpec powder = powder_of(R"(preset = "ASC100.29 B1"
+  const PowderSpec powder = powder_spec_of(R"(preset = "ASC100.29 B1"
 friction = 0.4
 work_of_adhesion = "2 mJ/m^2"
 rolling_friction = "0.05 mm"
@@ -132,7 +132,7 @@ grain_mass = "0.2 mg"
 }
 
 TEST(Powder, AnotherModelKeepsTheSolidVolumeAndDropsRollingFriction) {
-  const PowderSpec powder = powder_of("preset = \"ASC100.29 B1\"\nmodel = \"D\"\n");
+  const PowderSpec powder = powder_spec_of("preset = \"ASC100.29 B1\"\nmodel = \"D\"\n");
   EXPECT_EQ(powder.model, GrainModel::D);
   EXPECT_EQ(powder.sphere_radius, 7.84e-5);
   EXPECT_EQ(powder.rolling_friction, 0);
@@ -141,7 +141,7 @@ TEST(Powder, AnotherModelKeepsTheSolidVolumeAndDropsRollingFriction) {
 }
 
 TEST(Powder, OwnPowderTakesItsExactDiameter) {
-  const PowderSpec powder = powder_of(
+  const PowderSpec powder = powder_spec_of(
       "model = \"D\"\nsphere_radius = \"0.1 mm\"\ngrain_mass = \"0.2 mg\"\ngrain_diameter = \"1.2 mm\"\n");
   EXPECT_EQ(powder.name, "custom");
   EXPECT_DOUBLE_EQ(powder.grain_diameter, 1.2e-3);
