@@ -109,12 +109,12 @@ Table cavity_table(const std::vector<CavityRow>& rows) {
               {}};
   const auto or_none = [](const std::string& text) { return text.empty() ? std::string("–") : text; };
   const auto volume = column_of(
-                 rows, [](const CavityRow&row) { return 1e6 * row.volume; }, 3),
-             ratio = column_of(rows, &CavityRow::fill_ratio, 2),
-             height = column_of(
-                 rows, [](const CavityRow&row) { return 1e3 * row.fill_height; }, 3),
-             depth = column_of(
-                 rows, [](const CavityRow&row) { return 1e3 * row.depth; }, 3);
+      rows, [](const CavityRow& row) { return 1e6 * row.volume; }, 3);
+  const auto ratio = column_of(rows, &CavityRow::fill_ratio, 2);
+  const auto height = column_of(
+      rows, [](const CavityRow& row) { return 1e3 * row.fill_height; }, 3);
+  const auto depth = column_of(
+      rows, [](const CavityRow& row) { return 1e3 * row.depth; }, 3);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const CavityRow& row = rows[k];
     table.rows.push_back(
