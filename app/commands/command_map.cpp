@@ -69,7 +69,7 @@ double width_for(const std::string& given, const std::vector<PictureSource>& sou
   return averaging_width_of(given, results);
 }
 
-/// Where the options give no plane, all results are cut in the first section's plane of the first.
+/// The plane that the options give, else that of the first section of the first result; for all results.
 void take_plane(PictureRequest& request, const MapArguments& arguments) {
   const auto& first = request.sources.front().result;
   request.plane_given = !arguments.origin.empty() || !arguments.normal.empty();
