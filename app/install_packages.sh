@@ -3,7 +3,7 @@
 # sudo only then.
 set -eu
 
-packages="g++ cmake ninja-build pkg-config libeigen3-dev libtbb-dev libboost-dev libassimp-dev libcgal-dev libembree-dev libhdf5-dev
+packages="g++ cmake ninja-build pkg-config libeigen3-dev libtbb-dev libboost-dev libassimp-dev libminizip-dev libcgal-dev libembree-dev libhdf5-dev
 libvtk9-dev libosmesa6-dev libglew-dev libgl1-mesa-dri qt6-base-dev libgtest-dev libbenchmark-dev libcli11-dev
 libtomlplusplus-dev nlohmann-json3-dev libocct-data-exchange-dev lib3mf-dev libudunits2-dev voro++-dev libnlopt-dev zlib1g-dev libjs-three
 pybind11-dev python3-dev fonts-dejavu-core"

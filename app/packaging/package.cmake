@@ -24,7 +24,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libdiefill-dev)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Static libraries and headers of diefill, for find_package(diefill).")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "diefill (= ${PROJECT_VERSION}), libeigen3-dev")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libtbb-dev, libboost-dev, libassimp-dev, libcgal-dev, libembree-dev, libhdf5-dev, \
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libtbb-dev, libboost-dev, libassimp-dev, libminizip-dev, libcgal-dev, libembree-dev, libhdf5-dev, \
 libtomlplusplus-dev, nlohmann-json3-dev, lib3mf-dev, libudunits2-dev, voro++-dev, \
 libnlopt-dev, zlib1g-dev")
 

@@ -19,9 +19,10 @@ namespace diefill::geometry {
 
 namespace {
 
-constexpr std::size_t kStlHeader = 84;      // 80 bytes of text and the number of triangles
-constexpr std::size_t kStlTriangle = 50;    // 12 floats and 2 bytes of attributes
-constexpr std::size_t kLookForText = 1024;  // a text file shows its kind within so many bytes
+constexpr std::size_t kStlHeader = 84;         // 80 bytes of text and the number of triangles
+constexpr std::size_t kStlTriangle = 50;       // 12 floats and 2 bytes of attributes
+constexpr std::int64_t kMostCornersOfOff = 9;  // of a face; assimp 5.2 leaves out those with more
+constexpr std::size_t kLookForText = 1024;     // a text file shows its kind within so many bytes
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;  // bytes: binary STL of 21 million triangles
 
 std::string lower_case(std::string text) {
@@ -139,13 +140,14 @@ bool next_line_of_off(std::istream& lines, std::istringstream& words) {
   return false;
 }
 
-/// Throws where a face has a corner that the file does not define: the importer would take another one. Of a
-/// file with a corner or a face a line, as programs write it; others are left to the importer.
+/// Throws where a face has a corner that the file does not define, or more corners than the importer takes:
+/// it would take another one, or leave the face out. Of a file with a corner or a face a line, as programs
+/// write it; others are left to the importer.
 void check_off_faces(const std::string& name, const std::string& bytes) {
   std::istringstream lines(bytes), words;
   std::string head;
   std::uint64_t vertices = 0, faces = 0;
-  if (!next_line_of_off(lines, words) || !(words >> head) || head != "OFF") return;
+  if (!next_line_of_off(lines, words) || !(words >> head) || !head.ends_with("OFF")) return;
   if (!(words >> vertices >> faces) && (!next_line_of_off(lines, words) || !(words >> vertices >> faces)))
     return;
   if (vertices > bytes.size() / 2 || faces > bytes.size() / 2) return;
@@ -155,6 +157,10 @@ void check_off_faces(const std::string& name, const std::string& bytes) {
   for (std::uint64_t face = 0; face < faces; ++face) {
     std::int64_t corners = 0, corner = 0;
     if (!next_line_of_off(lines, words) || !(words >> corners)) return;
+    if (corners > kMostCornersOfOff)
+      throw MeshError(name + ": face " + std::to_string(face + 1) + " has " + std::to_string(corners) +
+                      " corners, allowed in OFF: up to " + std::to_string(kMostCornersOfOff) +
+                      "; export it with triangles, or as STL, OBJ or PLY");
     for (; corners > 0 && words >> corner; --corners)
       if (corner < 0 || static_cast<std::uint64_t>(corner) >= vertices)
         throw MeshError(name + " is damaged: face " + std::to_string(face + 1) + " has the corner " +
@@ -184,8 +190,7 @@ void check_stl(const std::string& name, const std::string& bytes) {
   }
   if (is_plain_text(bytes))
     throw MeshError(name +
-                    " is text, but not STL: it does not begin with 'solid' and has no facets; give the file "
-                    "exported from CAD");
+                    " is text, but not STL: it does not begin with 'solid'; give the file exported from CAD");
   if (is_binary_stl(bytes)) return;
   if (bytes.size() < kStlHeader)
     throw MeshError(name + " is truncated: " + std::to_string(bytes.size()) +

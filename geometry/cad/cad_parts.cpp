@@ -10,6 +10,7 @@
 #include "geometry/cad/cad_readers.h"
 #include "geometry/cad/read_text_stl.h"
 #include "geometry/cad/shown_text.h"
+#include "geometry/cad/xml_coordinates.h"
 
 namespace diefill::geometry {
 
@@ -87,7 +88,11 @@ namespace {
 
 CadParts read_by_kind(const std::filesystem::path& file, const CadFormat& format, double chord_tolerance) {
   if (format.surface == SurfaceKind::kCurved) return read_curved_faces(file, format, chord_tolerance);
-  if (format.ending == "3mf") return read_3mf(file);
+  if (format.ending == "3mf") {
+    check_3mf_coordinates(file);
+    return read_3mf(file);
+  }
+  if (format.ending == "amf") check_amf_coordinates(read_cad_file(file));
   if (format.ending == "stl") {
     const std::string bytes = read_cad_file(file);
     if (is_text_stl(bytes)) return read_text_stl(bytes);

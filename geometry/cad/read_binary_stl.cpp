@@ -16,7 +16,7 @@ constexpr std::size_t kTriangle = 50;  // a normal, three corners, 2 bytes of at
 constexpr std::size_t kCorners = 12;   // where they begin
 constexpr std::size_t kAhead = 8;      // triangles; memory takes as long to come as these do
 
-/// Triangles of the solid that begins at byte `from`; 0 where none does. Bytes may be left behind the last
+/// Triangles of the solid that begins at byte `from`; 0 where none does. Bytes may be left after the last
 /// triangle. Programs that do not know the number before the end leave 0 or the largest one.
 std::size_t triangles_at(const std::string& bytes, std::size_t from) {
   if (from > bytes.size() || bytes.size() - from < kHeader + kTriangle) return 0;
@@ -57,6 +57,15 @@ Mesh read_triangles_from(const std::string& bytes, std::size_t first, std::size_
   return mesh;
 }
 
+std::string remark_on_rest(std::size_t bytes) {
+  const std::string text = std::to_string(bytes) + " bytes after the last triangle ignored";
+  if (bytes % kTriangle != 0) return text;
+  const std::size_t triangles = bytes / kTriangle;
+  return text + ": as many as " + std::to_string(triangles) +
+         (triangles == 1 ? " triangle has" : " triangles have") +
+         ", so the number in its header may be too small";
+}
+
 }  // namespace
 
 bool is_binary_stl(const std::string& bytes) {
@@ -71,8 +80,7 @@ CadParts read_binary_stl(const std::string& bytes) {
                               read_triangles_from(bytes, at + kHeader, count)});
     at += kHeader + kTriangle * count;
   }
-  if (at < bytes.size())
-    contents.remarks.push_back(std::to_string(bytes.size() - at) + " bytes after the last triangle ignored");
+  if (at < bytes.size()) contents.remarks.push_back(remark_on_rest(bytes.size() - at));
   return contents;
 }
 

@@ -148,6 +148,23 @@ std::string_view without_mark(std::string_view text) {
   return text.substr(text.starts_with(kMark) ? kMark.size() : 0);
 }
 
+/// The text from the first line on that is no comment.
+std::string_view after_comments(std::string_view text) {
+  for (;;) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos) return {};
+    text.remove_prefix(first);
+    if (text.front() != '#' && text.front() != ';') return text;
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+  }
+}
+
+/// Unlike binary triangles: the name of a solid may be longer than what is looked at.
+bool is_printable(std::string_view text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return static_cast<unsigned char>(c) >= 0x20 || is_blank(c); });
+}
+
 }  // namespace
 
 bool is_number(std::string_view word, double& number) {
@@ -164,13 +181,13 @@ bool is_number(std::string_view word, double& number) {
 }
 
 bool is_text_stl(const std::string& bytes) {
-  std::string start(without_mark(std::string_view(bytes).substr(0, kLookForText)));
+  std::string start(after_comments(without_mark(bytes)).substr(0, kLookForText));
   std::transform(start.begin(), start.end(), start.begin(), lower);
   if (start.find('\0') != std::string::npos) return false;
   const std::size_t word = start.find_first_not_of(" \t\r\n");
   if (word == std::string::npos || start.compare(word, 5, "solid") != 0) return false;
   return start.find("facet") != std::string::npos || start.find("endsolid") != std::string::npos ||
-         bytes.size() < kHeader;
+         bytes.size() < kHeader || is_printable(start);
 }
 
 CadParts read_text_stl(const std::string& bytes) {

@@ -15,12 +15,12 @@ namespace diefill::geometry {
 bool is_text_stl(const std::string& bytes);
 
 /// Every `solid` as a part, called by the rest of its line. Facets with more than three corners become
-/// several triangles; comments behind `#` or `;`, normals and unknown words are passed over. Throws
+/// several triangles; comments after `#` or `;`, normals and unknown words are passed over. Throws
 /// std::runtime_error with the line where a corner is not three numbers or a facet has fewer than three
 /// corners.
 CadParts read_text_stl(const std::string& bytes);
 
-/// The number at the beginning of `word`, which it must fill: with a plus sign, and an exponent behind E or D
+/// The number at the beginning of `word`, which it must fill: with a plus sign, and an exponent after E or D
 /// of either case. False where it is none.
 bool is_number(std::string_view word, double& number);
 

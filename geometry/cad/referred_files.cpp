@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The JSON of a GLB file: its first chunk, behind 12 bytes of header (Khronos, glTF 2.0, 4.4). Empty where
+/// The JSON of a GLB file: its first chunk, after 12 bytes of header (Khronos, glTF 2.0, 4.4). Empty where
 /// there is none.
 std::string json_of_glb(const std::string& bytes) {
   constexpr std::size_t kStart = 20;
@@ -47,7 +47,7 @@ std::vector<std::string> names_in_gltf(const std::string& text) {
   return names;
 }
 
-/// Names behind `mtllib`: one that may hold blanks, or several between blanks.
+/// Names after `mtllib`: one that may hold blanks, or several between blanks.
 std::vector<std::string> names_in_obj(const std::string& text) {
   std::vector<std::string> names;
   const std::string keyword = "mtllib";

@@ -31,19 +31,32 @@ std::string without_remarks_in_header(std::string bytes) {
   return bytes;
 }
 
+/// assimp 5.2 takes a comment after a corner or a face for numbers.
+std::string without_trailing_comments(std::string bytes) {
+  for (std::size_t at = bytes.find('#'); at != std::string::npos; at = bytes.find('#', at)) {
+    const std::size_t begin = at == 0 ? 0 : bytes.find_last_of("\r\n", at - 1) + 1;
+    const std::string_view line = std::string_view(bytes).substr(begin, at - begin);
+    const std::size_t end = std::min(bytes.find_first_of("\r\n", at), bytes.size());
+    if (line.starts_with("v") || line.starts_with("f"))
+      std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), end - at, ' ');
+    at = end;
+  }
+  return bytes;
+}
+
 bool is_text(const std::string& bytes) {
   return bytes.substr(0, 4096).find('\0') == std::string::npos;
 }
 
 }  // namespace
 
-std::string with_exponents_behind_e(std::string text) {
+std::string with_exponents_as_e(std::string text) {
   const auto digit = [&](std::size_t k) { return std::isdigit(static_cast<unsigned char>(text[k])) != 0; };
   for (std::size_t k = text.find_first_of("dD"); k < text.size(); k = text.find_first_of("dD", k + 1)) {
     if (k == 0 || k + 2 >= text.size()) continue;
-    const bool behind_number = digit(k - 1) || text[k - 1] == '.';
+    const bool after_number = digit(k - 1) || text[k - 1] == '.';
     const bool before_sign = (text[k + 1] == '+' || text[k + 1] == '-') && digit(k + 2);
-    if (behind_number && before_sign) text[k] = 'e';
+    if (after_number && before_sign) text[k] = 'e';
   }
   return text;
 }
@@ -77,9 +90,10 @@ std::string RestrictedIo::bytes_of_main() const {
   std::string bytes = read_cad_file(file_);
   constexpr std::string_view kMark = "\xef\xbb\xbf";
   if (bytes.starts_with(kMark)) bytes.erase(0, kMark.size());
+  if (ending_ == "obj") bytes = without_trailing_comments(std::move(bytes));
   if (ending_ == "ply") bytes = without_remarks_in_header(std::move(bytes));
   const bool has_numbers = ending_ == "obj" || ending_ == "off" || ending_ == "ply";
-  return has_numbers && is_text(bytes) ? with_exponents_behind_e(std::move(bytes)) : bytes;
+  return has_numbers && is_text(bytes) ? with_exponents_as_e(std::move(bytes)) : bytes;
 }
 
 Assimp::IOStream* RestrictedIo::Open(const char* name, const char* mode) {

@@ -30,7 +30,7 @@ class RestrictedIo : public Assimp::DefaultIOSystem {
   std::string ending_, refused_;
 };
 
-/// `text` with exponents behind E where Fortran programs write D.
+/// `text` with exponents after E where Fortran programs write D.
 std::string with_exponents_behind_e(std::string text);
 
 }  // namespace diefill::geometry

@@ -242,7 +242,7 @@ void Repair::turn_outward() {
   if (findings.inward_shells == findings.shells && findings.volume < 0) {
     processing::reverse_face_orientations(surface_);
     record("surface normals reversed to point outward");
-    return;
+    return turn_outward();  // a shell inside another may be left
   }
   processing::orient_to_bound_a_volume(surface_);
   record(counted(findings.inward_shells, "shell", "shells") +

@@ -21,7 +21,7 @@ struct VoronoiRequest {
   /// Place of each sphere's grain, rising, where grains have different numbers of spheres; otherwise empty.
   std::vector<std::uint32_t> grains_of_spheres;
   double sphere_radius = 0;          ///< of all spheres
-  std::vector<double> sphere_radii;  ///< one a sphere, in place of sphere_radius; empty: all are equal
+  std::vector<double> sphere_radii;  ///< one per sphere, in place of sphere_radius; empty: all are equal
   std::vector<Eigen::Vector3d> wall_centres;    ///< wall spheres; they have no cells
   std::vector<double> wall_radii;               ///< one a wall sphere
   std::array<std::optional<double>, 3> period;  ///< box centred on the origin
@@ -30,7 +30,7 @@ struct VoronoiRequest {
 
 /// Cells of grains: the union of the cells of a grain's spheres.
 struct VoronoiCells {
-  std::vector<double> volume;  ///< m^3, one a grain
+  std::vector<double> volume;  ///< m^3, one per grain
   std::vector<std::uint8_t>
       open;  ///< 1 where the limit of reach cut the cell, or none was found: no meaningful volume
 };

@@ -23,11 +23,11 @@ std::size_t only_shoe(const Scene& scene, const Tooling& tooling) {
 
 bool turns(const Step& step) {
   constexpr int kInstants = 200;
-  constexpr double kOpenEnded = 1, kNone = 1e-12;  // s; rad/s
+  constexpr double kOpenEnded = 1, kNoSpin = 1e-12;  // s; rad/s
   if (step.control() != nullptr) return true;
   const double length = step.open_ended() ? kOpenEnded : step.duration().value_or(kOpenEnded);
   for (int n = 0; n < kInstants; ++n)
-    if (step.motion(length * n / kInstants).angular_velocity.norm() > kNone) return true;
+    if (step.motion(length * n / kInstants).angular_velocity.norm() > kNoSpin) return true;
   return false;
 }
 

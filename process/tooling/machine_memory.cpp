@@ -10,17 +10,17 @@
 namespace diefill::process {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::infinity();
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 /// The number that a file of the system begins with; no limit where there is no file, or a word in it.
 double limit_in(const char* file) {
   double bytes = 0;
-  return std::ifstream(file) >> bytes && bytes > 0 ? bytes : kNone;
+  return std::ifstream(file) >> bytes && bytes > 0 ? bytes : kNoLimit;
 }
 
 double limit_of(decltype(RLIMIT_AS) resource) {
   rlimit limit{};
-  if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kNone;
+  if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kNoLimit;
   return static_cast<double>(limit.rlim_cur);
 }
 

@@ -57,6 +57,7 @@ std::string in_one_line(const Tool& tool) {
   for (std::size_t k = 0; k < listed; ++k) text += "; not repaired: " + tool.not_repaired[k];
   if (listed < tool.not_repaired.size())
     text += "; and " + std::to_string(tool.not_repaired.size() - listed) + " more that are not repaired";
+  for (const auto& remark : tool.file_remarks) text += "; its file: " + remark;
   return text;
 }
 

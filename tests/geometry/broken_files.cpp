@@ -74,6 +74,20 @@ std::vector<BrokenFile> broken_bytes() {
       {"points_only", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "a.obj"},
       {"corner_that_is_not_there", "a.off", replaced(off(plain_block()), "3 0 2 3", "3 0 2 99"),
        "has the corner 99, but its 8 corners are counted from 0"},
+      {"face_of_ten_corners", "a.off",
+       "OFF\n10 1 0\n" +
+           [] {
+             std::string corners;
+             for (int k = 0; k < 10; ++k) corners += std::to_string(k) + " " + std::to_string(k * k) + " 0\n";
+             return corners;
+           }() +
+           "10 0 1 2 3 4 5 6 7 8 9\n",
+       "face 1 has 10 corners, allowed in OFF: up to 9"},
+      {"decimal_comma_3mf", "a.3mf",
+       replaced(three_mf({{"block", plain_block()}}, "millimeter"), "x=\"20\"", "x=\"2,\""),
+       "found x = '2,' with a comma"},
+      {"decimal_comma_amf", "a.amf", replaced(amf(plain_block(), "millimeter"), "<x>20", "<x>20,5"),
+       "found x = '20,5' with a comma"},
       {"gltf_without_its_buffer", "a.gltf",
        replaced(gltf(fine_tube(), "t"), "data:application/octet-stream;base64,", "missing.bin?"),
        "cannot be read as gltf"},

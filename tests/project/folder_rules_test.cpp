@@ -25,6 +25,7 @@ const std::vector<Rule>& rules() {
        {"Eigen/", "CGAL/", "assimp/", "embree3/", "voro++/", "oneapi/tbb/", "tbb/"}},
       {"geometry/cad/read_3mf.cpp", {"geometry/"}, {"Eigen/", "Common/", "Model/COM/"}},
       {"geometry/cad/referred_files.cpp", {"geometry/"}, {"nlohmann/"}},
+      {"geometry/cad/xml_coordinates.cpp", {"geometry/"}, {"minizip/"}},
       {"geometry/cad/opencascade/",
        {"geometry/"},
        {"BRep", "Bnd_", "IGES", "Interface_", "Message", "Poly_", "STEPCAF", "Standard_", "TColStd_", "TDF_",

@@ -176,7 +176,7 @@ std::string punch_text(const Standing& standing, std::size_t which, const geomet
                   " is too low: its top is at z = %.4g mm, %.4g mm below the die, which is at %s; raise it "
                   "by more than that",
                   1e3 * punch.upper.z(), 1e3 * (die.lower.z() - punch.upper.z()), in_z(die).c_str());
-  } else if (punch.upper.z() >= standing.tooling.fill_plane) {
+  } else if (punch.upper.z() >= standing.tooling.fill_plane - kFit) {
     std::snprintf(text, sizeof text,
                   " fills the hole: its top is at z = %.4g mm, the fill plane at z = %.4g mm; lower the "
                   "punch by the cavity depth",
@@ -190,6 +190,22 @@ std::string punch_text(const Standing& standing, std::size_t which, const geomet
                   1e3 * punch.size().y(), play.x(), play.y(), 1e3 * kFit);
   }
   return name + text;
+}
+
+/// A punch that reaches up to the fill plane in the hole of the die. Turned upside down the die would stand
+/// above it, with a cavity that nobody means.
+std::string filled_by_punch(const Standing& standing) {
+  const geometry::Cavity hole = hole_in_die(standing);
+  if (!hole.found) return "";
+  for (std::size_t k = 0; k < standing.tools.size(); ++k) {
+    if (standing.tooling.tools[standing.tools[k]].spec.role != ToolRole::punch) continue;
+    const geometry::Box punch = standing.meshes[k].bounding_box();
+    const bool inside = (punch.size() - hole.box.size()).head<2>().maxCoeff() <= kFit;
+    const bool reaches_up = punch.upper.z() >= standing.tooling.fill_plane - kFit;
+    if (inside && reaches_up && punch.lower.z() < hole.box.upper.z() && meet(punch, hole.box, 0))
+      return punch_text(standing, k, hole);
+  }
+  return "";
 }
 
 std::string nothing_below(const Standing& standing) {
@@ -215,8 +231,8 @@ std::string wrong_unit(const Scene& scene, const Tooling& tooling) {
 std::string why_no_cavity(const Scene& scene, const Tooling& tooling, const std::vector<ToolPose>& poses) {
   const Standing standing = standing_of(scene, tooling, poses);
   using Reason = std::string (*)(const Standing&);
-  for (const Reason reason :
-       {Reason(wrong_fill_plane), Reason(wrong_unit), Reason(turned), Reason(nothing_below)}) {
+  for (const Reason reason : {Reason(wrong_fill_plane), Reason(wrong_unit), Reason(filled_by_punch),
+                              Reason(turned), Reason(nothing_below)}) {
     const std::string words = reason(standing);
     if (!words.empty()) return words;
   }

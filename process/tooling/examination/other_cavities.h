@@ -13,7 +13,7 @@ namespace diefill::process {
 using MeasureCavity = std::function<void(results::FillResult&)>;
 
 /// Adds `others` (in the die's frame) to `result`, whose own cavity is number 1. Each is measured as that one
-/// was; its figures are added under `cavity_<n>_...`, its profiles behind those of the first with
+/// was; its figures are added under `cavity_<n>_...`, its profiles after those of the first with
 /// ", cavity <n>" in their names, its verdict and reasons among the topics; and a warning says that there are
 /// several. `result` holds the powder and its solid fraction; what it has of its own cavity stays. Nothing
 /// for no others.

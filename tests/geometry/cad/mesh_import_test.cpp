@@ -124,6 +124,13 @@ TEST(MeshImport, ReadsNumbersOfFortranAndRemarks) {
   }
 }
 
+TEST(MeshImport, ReadsCommentsAfterTheNumbersOfObj) {
+  const TemporaryFolder directory;
+  const std::string obj = std::regex_replace(sample::obj(sample::box({0, 0, 0}, {10, 20, 40})),
+                                             std::regex("\n"), " # 7 of these\n");
+  EXPECT_NEAR(import_mesh(directory.write("box.obj", obj), 1e-3).volume(), 8e-6, 1e-12);
+}
+
 TEST(MeshImport, TakesRegularFilesAlone) {
   const TemporaryFolder directory;
   const auto pipe = directory.path() / "pipe.stl", device = directory.path() / "zero.stl";

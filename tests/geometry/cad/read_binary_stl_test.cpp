@@ -57,6 +57,17 @@ TEST(BinaryStl, RemarksOnBytesLeftOver) {
   EXPECT_TRUE(read_binary_stl(bytes).remarks.empty());
 }
 
+TEST(BinaryStl, SaysThatTheNumberInItsHeaderMayBeTooSmall) {
+  std::string bytes = sample::binary_stl(sample::box({0, 0, 0}, {1, 1, 1}));
+  bytes[80] = 8;
+  const CadParts contents = read_binary_stl(bytes);
+  EXPECT_EQ(contents.parts[0].mesh.triangles.size(), 8U);
+  EXPECT_EQ(
+      contents.remarks,
+      std::vector<std::string>{"200 bytes after the last triangle ignored: as many as 4 triangles have, so "
+                               "the number in its header may be too small"});
+}
+
 TEST(BinaryStl, OfSeveralFilesOneBehindAnotherHasAPartEach) {
   const CadParts contents = read_binary_stl(sample::binary_stl(sample::box({0, 0, 0}, {1, 1, 1})) +
                                             sample::binary_stl(sample::box({0, 0, 0}, {2, 1, 1})));

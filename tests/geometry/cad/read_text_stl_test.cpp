@@ -42,6 +42,20 @@ TEST(TextStl, IsReadHoweverItIsWritten) {
   }
 }
 
+TEST(TextStl, MayBeginWithCommentsAndHaveANameOfAnyLength) {
+  const std::string letters(3000, 'x');
+  for (const std::string& text :
+       {"# a remark\n\n; another\n" + text_of_box(), "#" + letters + "\n" + text_of_box(),
+        "solid " + letters + "\n" + text_of_box()}) {
+    SCOPED_TRACE(text.substr(0, 40));
+    ASSERT_TRUE(is_text_stl(text));
+    EXPECT_DOUBLE_EQ(read_text_stl(text).parts.at(0).mesh.volume(), 6);
+  }
+  std::string binary = sample::binary_stl(sample::box({0, 0, 0}, {1, 2, 3}));
+  EXPECT_FALSE(is_text_stl(binary.replace(0, 6, "solid ")));
+  EXPECT_FALSE(is_text_stl("# a letter\nDear Sir,\n"));
+}
+
 TEST(TextStl, NamesAreWholeLines) {
   const std::string text = sample::stl_of_parts({{"punch lower", sample::box({0, 0, 0}, {1, 1, 1})},
                                                  {"punch upper", sample::box({5, 0, 0}, {7, 1, 1})}});

@@ -108,6 +108,13 @@ TEST(MeshRepair, TurnsAMeshRightSideOut) {
   expect_repaired(sample::inside_out(tube()), tube().volume(), "point outward");
 }
 
+TEST(MeshRepair, TurnsAShellInsideAnotherOnceBothPointOutward) {
+  const Mesh outer = sample::box({0, 0, 0}, {0.02, 0.02, 0.02}),
+             inner = sample::box({0.005, 0.005, 0.005}, {0.01, 0.01, 0.01});
+  expect_repaired(sample::inside_out(sample::joined(outer, inner)), outer.volume() - inner.volume(),
+                  "inner shells bound cavities");
+}
+
 TEST(MeshRepair, TurnsOneOfTwoShells) {
   const Mesh far = sample::box({0.03, 0, 0}, {0.04, 0.01, 0.01});
   expect_repaired(sample::joined(tube(), sample::inside_out(far)), tube().volume() + far.volume(),

@@ -46,5 +46,23 @@ TEST(UnusableTool, ThreeOfAThousandHolesAreListed) {
   }
 }
 
+TEST(UnusableTool, TellsWhatIsOddAboutItsFile) {
+  Tool tool;
+  make_cube(tool);
+  tool.findings.triangles = 12;
+  tool.findings.open_edges = 3;
+  tool.findings.places.emplace_back(0, 0, 0);
+  tool.file_remarks = {"200 bytes after the last triangle ignored"};
+  try {
+    refuse_unusable(Scene{}, tool);
+    FAIL() << "accepted";
+  } catch (const SceneError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("; its file: 200 bytes after the last triangle ignored; repair the CAD"),
+              std::string::npos)
+        << message;
+  }
+}
+
 }  // namespace
 }  // namespace diefill::process
