@@ -44,11 +44,11 @@ ContactHistory history_of(const NamedContacts& named, std::size_t width, std::si
   history.finish_reserving();
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const auto [own, other] = numbers[k];
-    const double* remembered = named.history.data() + k * width;
+    const double* stored = named.history.data() + k * width;
     if (turned(k))
-      history.add(other, own, remembered, sign.data());
+      history.add(other, own, stored, sign.data());
     else
-      history.add(own, other, remembered, nullptr);
+      history.add(own, other, stored, nullptr);
   }
   return history;
 }
@@ -68,7 +68,7 @@ void Simulation::apply_computed_step(const ComputedStep& computed) {
   ledger.tangential_work += computed.work.tangential_work;
   ledger.drag_work += computed.work.drag_work;
   ledger.rolling_work += computed.work.rolling_work;
-  book_wall_work(now);
+  add_wall_work(now);
 }
 
 void Simulation::apply_computed_grains(const Grains& computed) {

@@ -33,7 +33,7 @@ struct NamedContacts {
     std::uint32_t sphere, other_sphere;  ///< of the grains; the second means nothing at walls
   };
   std::vector<Pair> pair;
-  std::vector<double> history;  ///< what each remembers, one pair after the other, seen from `grain`
+  std::vector<double> history;  ///< of each, one pair after the other, seen from `grain`
 };
 
 /// The contacts that a simulation has now.

@@ -31,7 +31,7 @@ void check_places(const SimulationState& state) {
 }
 
 /// `order`: of the grains in space, which the policy may change.
-NewOrder remember_contacts(SimulationState& state, StepPolicy& policy, std::vector<std::uint32_t> order) {
+NewOrder with_contact_history(SimulationState& state, StepPolicy& policy, std::vector<std::uint32_t> order) {
   NewOrder sorted{std::move(order), 0, {}};
   sorted.awake = policy.sort(state, sorted.order);
   const NeighbourList& list = state.list;
@@ -42,9 +42,9 @@ NewOrder remember_contacts(SimulationState& state, StepPolicy& policy, std::vect
   for (std::uint32_t k = 0; k < sorted.order.size(); ++k) new_place[sorted.order[k]] = k;
   const std::size_t spheres = sorted.order.size() * state.types.spheres();
   const auto signs = state.grain_loop->history_signs();
-  sorted.histories = {remember_grain_contacts(list.blocks(), naming, new_place, signs, spheres, state.pool),
-                      remember_wall_contacts(list.blocks(), naming, new_place, list.settings().wall_history,
-                                             spheres, state.pool)};
+  sorted.histories = {grain_contact_history(list.blocks(), naming, new_place, signs, spheres, state.pool),
+                      wall_contact_history(list.blocks(), naming, new_place, list.settings().wall_history,
+                                           spheres, state.pool)};
   return sorted;
 }
 
@@ -95,7 +95,7 @@ void group_grains(SimulationState& state) {
 }
 
 /// Takes down where all is now, of which the first `awake` grains move.
-void remember_reference(SimulationState& state, std::size_t awake) {
+void store_reference(SimulationState& state, std::size_t awake) {
   ListReference& reference = state.reference;
   const Grains& grains = state.grains;
   reference.position = grains.position;
@@ -172,6 +172,7 @@ void wrap_grains(SimulationState& state) {
     const Eigen::Vector3d before = position;
     position = state.box.wrapped(before);
     state.ledger.added_energy -= state.shape_of(k).mass * state.settings.gravity.dot(position - before);
+    if (state.border_watch && position != before) state.border_watch(k, before, position);
   }
 }
 
@@ -181,7 +182,7 @@ NewOrder sort_in_space(SimulationState& state, StepPolicy& policy) {
   // Where sizes differ, no two grains have room in one cell: the order does not depend on the one before.
   const double cell =
       state.types.monodisperse() ? 2 * state.types.largest_grain() : state.types.smallest_sphere();
-  return remember_contacts(state, policy, spatial_order(state.grains.position, cell, state.pool));
+  return with_contact_history(state, policy, spatial_order(state.grains.position, cell, state.pool));
 }
 
 void sort_and_search(SimulationState& state, StepPolicy& policy) {
@@ -189,14 +190,14 @@ void sort_and_search(SimulationState& state, StepPolicy& policy) {
 }
 
 void search_in_order(SimulationState& state, StepPolicy& policy, std::vector<std::uint32_t> order) {
-  search_again(state, policy, remember_contacts(state, policy, std::move(order)));
+  search_again(state, policy, with_contact_history(state, policy, std::move(order)));
 }
 
 void search_again(SimulationState& state, StepPolicy& policy, const NewOrder& sorted,
                   const ImageFinder& images) {
   state.grains.reorder(sorted.order);
   state.spheres.reorder_motion(sorted.order);
-  remember_reference(state, sorted.awake);
+  store_reference(state, sorted.awake);
   search_at_reference(state, sorted.histories, images);
   state.spheres.set_poses(state.grains.position, state.grains.orientation);
   policy.after_search(state);

@@ -27,7 +27,7 @@ struct SimulationSettings {
   double time_step = 0;             ///< s
   PeriodLengths period;             ///< m, box centred on the origin
   double skin = 0;                  ///< m; 0: follows the motion of the powder
-  /// Tools far from all powder do not age the list of near pairs by moving.
+  /// Motion of tools far from all powder does not make the neighbour list too old.
   bool skip_far_walls = true;
   std::optional<SleepSettings> sleep;  ///< settled grains are put to sleep
   int threads = 1;

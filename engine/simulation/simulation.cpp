@@ -33,7 +33,7 @@ void Simulation::step() {
     now.timers.lap(Phase::search);
   }
   policy_->compute_forces(now);
-  book_step(now);
+  add_up_blocks(now);
   policy_->end_step(now);
   now.timers.lap(Phase::gather);
 }

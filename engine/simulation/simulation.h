@@ -18,7 +18,7 @@ struct NamedContacts;
 /// threads. Figures that take more than a look at the state are free functions in ../observe.
 class Simulation {
  public:
-  /// Throws std::invalid_argument when the time step, the shape, the kinds or a period cannot work.
+  /// Throws std::invalid_argument when the time step, the shapes, the types or a period cannot work.
   Simulation(const SimulationSettings& settings, std::vector<WallBodySpec> walls);
   // Defined in the source: every file that names a simulation would compile them again.
   ~Simulation();
@@ -30,12 +30,17 @@ class Simulation {
   void step();
 
   /// Adds grains at rest or moving; ids continue from the last one given. Throws std::invalid_argument for a
-  /// kind that there is not, and std::length_error for more spheres than can be numbered.
+  /// particle type that there is not, and std::length_error for more spheres than can be numbered.
   void add_grains(const std::vector<NewGrain>& grains);
   /// Takes out every grain for which `leaves(position)` is true, called in their order; returns how many.
   std::size_t remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves);
   /// Takes out the grains of these ids; returns how many there were.
   std::size_t remove_grains(const std::vector<std::uint64_t>& ids);
+  /// From now on calls watch(k, before, now) for every grain k (its place in grains()) that is put back into
+  /// the periodic box, from `before` to `now` (m); in a fixed order, and before grains are taken out.
+  void watch_borders(std::function<void(std::size_t, const Eigen::Vector3d&, const Eigen::Vector3d&)> watch) {
+    state_.border_watch = std::move(watch);
+  }
   /// Prescribes a body's motion from now on: pose and velocity at time t (s since the start of the run).
   void set_motion(std::size_t body, std::function<BodyMotion(double)> motion);
 

@@ -14,12 +14,12 @@ namespace diefill::engine {
 
 namespace {
 
-/// Whether pairs remember as many numbers by both loops, so that contacts can go on where laws are exchanged.
+/// Whether histories have the same length in both loops, so that contacts can go on where laws are exchanged.
 bool same_width(const PairLoop& one, const PairLoop& other) {
   return one.history_signs() == other.history_signs();
 }
 
-/// Sets to 0 what pairs of `loop` remember and what the laws of `next` would take for something else.
+/// Sets to 0 the numbers of histories of `loop` that mean something else by the laws of `next`.
 void clear_changed_history(std::vector<Block>& blocks, const PairLoop& loop, const PairLoop& next) {
   const auto layouts = next.history_layouts();
   if (!same_width(loop, next) || loop.history_layouts() == layouts) return;

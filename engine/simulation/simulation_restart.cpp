@@ -7,7 +7,7 @@ namespace diefill::engine {
 
 namespace {
 
-/// Touching pairs of one kind over all blocks, by their number, with what they remember.
+/// Touching pairs of one kind over all blocks, by their number, with their history.
 template <class Table>
 Snapshot::History history_of(const std::vector<Block>& blocks, Table Block::*table) {
   Snapshot::History history;
@@ -25,13 +25,13 @@ Snapshot::History history_of(const std::vector<Block>& blocks, Table Block::*tab
 
 /// Puts what history_of() took back into the tables.
 template <class Table>
-void recall(std::vector<Block>& blocks, Table Block::*table, const Snapshot::History& history) {
+void restore_history(std::vector<Block>& blocks, Table Block::*table, const Snapshot::History& history) {
   std::uint64_t before = 0;
   std::size_t next = 0;
   for (auto& block : blocks) {
     auto& pairs = block.*table;
     for (; next < history.pair.size() && history.pair[next] < before + pairs.size(); ++next)
-      pairs.recall(history.pair[next] - before, history.value.data() + next * pairs.width);
+      pairs.restore(history.pair[next] - before, history.value.data() + next * pairs.width);
     before += pairs.size();
   }
 }
@@ -74,8 +74,8 @@ void Simulation::restore(const Snapshot& snapshot) {
   // Tools keep their poses of the last search until resting blocks have been computed.
   now.body_motion = now.reference.bodies;
   search_at_reference(now, {});
-  recall(now.list.blocks(), &Block::grain_pairs, snapshot.grain_history);
-  recall(now.list.blocks(), &Block::wall_pairs, snapshot.wall_history);
+  restore_history(now.list.blocks(), &Block::grain_pairs, snapshot.grain_history);
+  restore_history(now.list.blocks(), &Block::wall_pairs, snapshot.wall_history);
   policy_->after_search(now);
   now.spheres.set_poses(now.grains.position, now.grains.orientation);
   move_bodies(now);

@@ -2,6 +2,7 @@
 // that are read from it (../observe).
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "engine/contact/pair_loop.h"
@@ -51,6 +52,10 @@ struct SimulationState {
   std::vector<std::uint8_t> mixed_block;  ///< of a block, whether it has grains of both groups of `reference`
   std::vector<double> clearance;  ///< m a body, how far it stood from the powder when contacts were searched
   std::vector<BlockTally> tallies;  ///< what each block did in the last step
+
+  /// Told of every grain that is put back into the periodic box: its place in `grains`, and where it was and
+  /// is now (m). Empty: nobody asks.
+  std::function<void(std::size_t, const Eigen::Vector3d&, const Eigen::Vector3d&)> border_watch;
 
   // Time and accounts.
   std::uint64_t step = 0;

@@ -19,7 +19,7 @@ struct Snapshot {
   double time = 0;  ///< s
   Grains grains;
   ListReference reference;
-  /// Touching pairs: number of each over all blocks, in block order, and what it remembers, pair after pair.
+  /// Touching pairs: number of each over all blocks, in block order, and its history, pair after pair.
   struct History {
     std::vector<std::uint64_t> pair;
     std::vector<double> value;
@@ -32,7 +32,7 @@ struct Snapshot {
 };
 
 /// 64-bit FNV-1a hash of the powder's state, grain by grain in the order of their ids: equal exactly if step
-/// and all positions, orientations, velocities and spins are equal bit for bit, and kinds are where there are
+/// and all positions, orientations, velocities and spins are equal bit for bit, and types are where there are
 /// several.
 std::uint64_t state_hash(std::uint64_t step, const Grains& grains);
 

@@ -81,7 +81,7 @@ bool list_is_old(const SimulationState& state) {
   return false;
 }
 
-void book_step(SimulationState& state) {
+void add_up_blocks(SimulationState& state) {
   Ledger& ledger = state.ledger;
   state.touching = 0;
   state.overlap = {};
@@ -99,10 +99,10 @@ void book_step(SimulationState& state) {
     }
   }
   state.overlap_of_run.include(state.overlap);
-  book_wall_work(state);
+  add_wall_work(state);
 }
 
-void book_wall_work(SimulationState& state) {
+void add_wall_work(SimulationState& state) {
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const WallLoad& load = state.wall_loads[b];
     const BodyMotion& motion = state.body_motion[b];

@@ -18,7 +18,7 @@ class StepPolicy {
   /// Moves the grains of block b to the end of the step. Returns how far (m) any of their spheres can have
   /// moved against the drift of the powder; infinity where that is not known.
   virtual double advance_block(SimulationState& state, std::size_t b) = 0;
-  /// The list of near pairs has become too old and is about to be renewed.
+  /// The neighbour list has become too old and is about to be rebuilt.
   virtual void before_search(SimulationState&) {}
   /// Sorts `order`, of all grains in space, for the new list; returns how many of its first grains share
   /// blocks with each other only.
@@ -27,7 +27,7 @@ class StepPolicy {
   virtual void after_search(SimulationState&) {}
   /// Contact forces of all pairs, and from them the velocities of the grains.
   virtual void compute_forces(SimulationState& state) = 0;
-  /// All of the step has been computed and booked.
+  /// All of the step has been computed, its energies added up.
   virtual void end_step(SimulationState&) {}
 };
 

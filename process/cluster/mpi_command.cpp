@@ -24,7 +24,7 @@ bool is_known(const std::string& host) {
   return true;
 }
 
-/// Of the words behind a host's name in its line; nothing where they do not say.
+/// Of the words after a host's name in its line; nothing where they do not say.
 std::optional<int> slots_of(std::istringstream& words) {
   constexpr std::string_view kKey = "slots=";
   for (std::string word; words >> word;)

@@ -15,6 +15,15 @@ bool falls_round(const Scene& scene, const Eigen::Vector3d& gravity) {
   return false;
 }
 
+/// Whether a grain that crosses a periodic boundary comes to the other side of the probe's plane: ranks do
+/// not tell which grains do.
+bool goes_round(const Scene& scene, const ProbeSpec& probe) {
+  if (probe.quantity != ProbeQuantity::flow) return false;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (scene.numerics.period[axis] && probe.normal[static_cast<Eigen::Index>(axis)] != 0) return true;
+  return false;
+}
+
 [[noreturn]] void refuse(const Scene& scene, const std::string& what, const std::string& remedy) {
   throw SceneError(scene.file.string() + ": " + what + " is not supported on ranks (--ranks): " + remedy +
                    ", or run without --ranks");
@@ -28,6 +37,10 @@ void refuse_unsupported_on_ranks(const Scene& scene) {
   for (const auto& step : scene.steps)
     if (free_motion_of(*step) != nullptr)
       refuse(scene, "a tool that moves freely (\"" + step->description() + "\")", "prescribe its motion");
+  for (const ProbeSpec& probe : scene.probes)
+    if (goes_round(scene, probe))
+      refuse(scene, "the flow along a periodic axis (probe \"" + probe.name + "\")",
+             "turn its normal or remove the probe");
   if (falls_round(scene, scene.gravity))
     refuse(scene, "gravity along a periodic axis", "change the direction of gravity or the periodic axis");
 }

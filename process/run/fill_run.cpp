@@ -78,6 +78,10 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   simulation_->add_grains(grains);
   change_powder();
   probes_.begin(*simulation_);
+  simulation_->watch_borders(
+      [this](std::size_t k, const Eigen::Vector3d& before, const Eigen::Vector3d& now) {
+        probes_.count_wrapped(before, now, simulation_->shape_of(k).mass);
+      });
   hash_inputs();
 }
 
@@ -167,7 +171,11 @@ void FillRun::shear_off_pinched_grains() {
   for (const auto& grain : engine::pinched_grains(*simulation_, kShearingOverlap)) ids.push_back(grain.id);
   if (ids.empty()) return;
   const auto poured = static_cast<double>(grains_poured());
-  for (const std::uint64_t id : ids) sheared_.add(simulation_->grains().type_of(place_of(id)));
+  for (const std::uint64_t id : ids) {
+    const std::size_t k = place_of(id);
+    count_out(k);
+    sheared_.add(simulation_->grains().type_of(k));
+  }
   simulation_->remove_grains(ids);
   const double most = scene_.numerics.most_sheared;
   if (static_cast<double>(sheared_.grains()) > std::max(kFewSheared, most * poured))
@@ -221,7 +229,7 @@ void FillRun::check_for_lost_grains() {
   std::vector<std::uint64_t> ids;
   for (const StrayGrain& grain : strayed) {
     const std::size_t k = place_of(grain.id);
-    probes_.count_removed(simulation_->grains().position[k], simulation_->shape_of(k).mass, 1);
+    count_out(k);
     removed_.add(simulation_->grains().type_of(k));
     stray_watch_.count_removed(grain, simulation_->time());
     ids.push_back(grain.id);

@@ -115,6 +115,7 @@ class FillRun {
   void add_random_velocities(double deviation, std::size_t step);
   std::uint64_t grains_poured() const;
   void remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves);
+  void count_out(std::size_t k);
   void take_snapshots();
   void check_for_lost_grains();
   std::uint64_t steps_between_instants() const;

@@ -28,6 +28,12 @@ void FillRun::remove_grains(const std::function<bool(const Eigen::Vector3d&)>& l
   });
 }
 
+/// For the probes: grain k is about to be taken out, from its place in the periodic box.
+void FillRun::count_out(std::size_t k) {
+  const Eigen::Vector3d place = simulation_->state().box.wrapped(simulation_->grains().position[k]);
+  probes_.count_removed(place, simulation_->shape_of(k).mass, 1);
+}
+
 void FillRun::feed_powder() {
   // Ids count all grains that ever were.
   const std::uint64_t before = grains_poured();

@@ -57,11 +57,11 @@ std::optional<Checkpoint> FillRun::shared_start() const {
 
 void FillRun::resume_from(const Checkpoint& checkpoint) {
   schedule_.begin(*simulation_, checkpoint.schedule);
-  probes_.restore(checkpoint.probes);
   snapshots_.restore(checkpoint.snapshots);
   apply_changed_laws();
   free_tools_.restore(checkpoint.free_tools, *simulation_);
   simulation_->restore(checkpoint.simulation);
+  probes_.restore(checkpoint.probes);
   removed_ = GrainTally(checkpoint.grains_removed);
   sheared_ = GrainTally(checkpoint.grains_sheared);
   leak_watch_.restore(checkpoint.leaks);
@@ -95,8 +95,10 @@ Checkpoint FillRun::checkpoint() const {
 bool FillRun::write_checkpoint() {
   sync_contacts();
   last_checkpoint_ = std::chrono::steady_clock::now();
-  return keep([this] { process::write_checkpoint(checkpoint_file(options_.directory), checkpoint()); },
-              "no checkpoint written, the previous one is still valid");
+  const auto file = checkpoint_file(options_.directory);
+  return keep([&] { process::write_checkpoint(file, checkpoint()); },
+              std::filesystem::exists(file) ? "no checkpoint written, the previous one is still valid"
+                                            : "no checkpoint written, and there is no earlier one");
 }
 
 void FillRun::stop_with_checkpoint() {

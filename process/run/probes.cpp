@@ -48,6 +48,15 @@ double mass_beyond(const ProbeSpec& probe, const engine::Simulation& simulation,
   return beyond.mass(simulation.types());
 }
 
+/// How many of a grain at `place` (m) and its image in a half model lie beyond the probe's plane.
+double copies_beyond(const ProbeSpec& probe, const Tooling& tooling, const Eigen::Vector3d& place) {
+  double count = 0;
+  visit_images(tooling, place, [&](const Eigen::Vector3d& copy) {
+    if ((copy - probe.origin).dot(probe.normal) > 0) ++count;
+  });
+  return count;
+}
+
 /// Whole time steps between two rows.
 std::uint64_t steps_between(const ProbeSpec& probe, double time_step) {
   return static_cast<std::uint64_t>(std::max(1LL, std::llround(probe.interval / time_step)));
@@ -177,9 +186,14 @@ std::vector<double> Probes::fill_level(const engine::Simulation& simulation) con
 void Probes::count_removed(const Eigen::Vector3d& position, double mass, double sign) {
   for (std::size_t k = 0; k < specs_.size(); ++k)
     if (specs_[k].quantity == ProbeQuantity::flow)
-      visit_images(tooling_, position, [&](const Eigen::Vector3d& place) {
-        if ((place - specs_[k].origin).dot(specs_[k].normal) > 0) states_[k].gone += sign * mass;
-      });
+      states_[k].gone += sign * copies_beyond(specs_[k], tooling_, position) * mass;
+}
+
+void Probes::count_wrapped(const Eigen::Vector3d& before, const Eigen::Vector3d& now, double mass) {
+  for (std::size_t k = 0; k < specs_.size(); ++k)
+    if (specs_[k].quantity == ProbeQuantity::flow)
+      states_[k].gone +=
+          mass * (copies_beyond(specs_[k], tooling_, before) - copies_beyond(specs_[k], tooling_, now));
 }
 
 ProbesState Probes::state() const {

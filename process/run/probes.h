@@ -21,7 +21,8 @@ struct ProbeState {
   std::uint64_t steps = 0;                                                            ///< since the last row
   std::uint64_t numbers = 0;                                                          ///< in all rows
   double beyond = 0;  ///< kg that lay beyond the plane at first, and came in beyond it
-  double gone = 0;    ///< kg taken out of the computation beyond the plane
+  /// kg taken out of the computation beyond the plane, or moved from there by a periodic border.
+  double gone = 0;
 };
 
 /// All probes' states, and their rows one probe after the other.
@@ -46,6 +47,9 @@ class Probes {
   bool needs_contacts(std::uint64_t step, double time_step) const;
   /// kg of grains that are taken out at `position`, or come in (`sign` -1).
   void count_removed(const Eigen::Vector3d& position, double mass, double sign);
+  /// kg of a grain that was put back into the periodic box, from `before` to `now` (m): it has passed no
+  /// plane.
+  void count_wrapped(const Eigen::Vector3d& before, const Eigen::Vector3d& now, double mass);
 
   ProbesState state() const;
   void restore(const ProbesState& state);

@@ -20,7 +20,7 @@ class Snapshots {
   /// Keeps a reference to the scene.
   explicit Snapshots(const Scene& scene) : specs_(scene.snapshots), states_(scene.snapshots.size()) {}
 
-  /// Names of those to be taken now, each given once: those that repeat with a number from 0001 behind.
+  /// Names of those to be taken now, each given once: those that repeat with a number appended, from 0001.
   std::vector<std::string> due(const Schedule& schedule, const engine::Simulation& simulation);
 
   /// True if none has been due, or watched for, before `now` (s) in a run whose steps stand like this.

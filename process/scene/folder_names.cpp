@@ -14,7 +14,7 @@ namespace diefill::process {
 namespace {
 
 constexpr std::size_t kLongest = 64;  // letters; file systems take 255, messages should stay readable
-constexpr std::size_t kNumber = 8;    // digits of the number behind a name
+constexpr std::size_t kNumber = 8;    // digits of the number after a name
 
 /// What the program writes into a directory of runs, each with any ending; and names that Windows keeps for
 /// itself.
@@ -54,7 +54,7 @@ bool is_reserved(const std::string& form) {
          std::any_of(kReservedStarts.begin(), kReservedStarts.end(), begins_it);
 }
 
-/// Whether it could be taken for a name with a number behind it.
+/// Whether it could be taken for a name with a number after it.
 bool seems_numbered(const std::string& form) {
   if (form.size() <= kNumber || form[form.size() - kNumber - 1] != '-') return false;
   return std::all_of(form.end() - kNumber, form.end(),

@@ -9,6 +9,7 @@
 #include "process/powder/pour_sizes.h"
 #include "process/powder/powder_mixture.h"
 #include "process/powder/random.h"
+#include "process/setup/near_half.h"
 #include "process/setup/placed_grains.h"
 #include "process/setup/pour_fit.h"
 #include "process/setup/restored_grains.h"
@@ -183,8 +184,10 @@ std::vector<engine::NewGrain> poured(const Scene& scene, const engine::Simulatio
 std::vector<engine::NewGrain> pour(const Scene& scene, const engine::SimulationSettings& settings,
                                    const Tooling& tooling) {
   const engine::GrainShape shape = mean_grain(scene);
-  if (const auto& file = scene.pour.grains_file) return placed_grains(scene, settings, tooling, *file);
-  if (const auto& state = scene.pour.state) return restored_grains(scene, settings, tooling, *state);
+  if (const auto& file = scene.pour.grains_file)
+    return near_half(scene, settings, placed_grains(scene, settings, tooling, *file), "grains_file");
+  if (const auto& state = scene.pour.state)
+    return near_half(scene, settings, restored_grains(scene, settings, tooling, *state), "state");
   refuse_powder_over_nothing(scene, tooling.standing);
   auto grains = poured(scene, settings, tooling, shape);
   refuse_beyond_period(scene, grains, largest_shape(settings).bounding_radius());

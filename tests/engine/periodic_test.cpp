@@ -1,6 +1,7 @@
 // Periodic borders: grains go round, meet across the border and feel nothing of it.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "engine/observe/energy_balance.h"
@@ -28,6 +29,22 @@ TEST(Periodic, LoneGrainComesRoundAtItsSpeed) {
   const Eigen::Vector3d expected = grain.velocity * simulation.time();
   EXPECT_LT(box.wrapped(position_of(simulation, 0) - expected).norm(), 1e-14);
   EXPECT_LT((velocity_of(simulation, 0) - grain.velocity).norm(), 1e-15);
+}
+
+TEST(Periodic, WatchIsToldOfEveryGrainThatIsPutBack) {
+  Simulation simulation(in_box(Model::d, 1e-5), {});
+  NewGrain grain;
+  grain.velocity = {1, 0, 0};
+  simulation.add_grains({grain});
+  double put_back = 0;  // m
+  simulation.watch_borders([&](std::size_t k, const Eigen::Vector3d& before, const Eigen::Vector3d& now) {
+    EXPECT_EQ(k, 0U);
+    put_back += before.x() - now.x();
+  });
+  run_steps(simulation, 1000);
+  EXPECT_GT(put_back, kPeriod);
+  EXPECT_NEAR(std::remainder(put_back, kPeriod), 0, 1e-15);
+  EXPECT_NEAR(position_of(simulation, 0).x() + put_back, simulation.time(), 1e-12);
 }
 
 /// End state of two grains that collide obliquely, seen from a frame shifted by `shift`.

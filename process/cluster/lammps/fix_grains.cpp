@@ -69,7 +69,7 @@ void FixGrains::initial_integrate(int) {
 }
 
 void FixGrains::pre_exchange() {
-  steps_->remember();
+  steps_->store_history();
   std::size_t longest = 0;
   const auto own = static_cast<std::size_t>(atom->nlocal);
   for (std::size_t k = 0; k < own; ++k) longest = std::max(longest, steps_->grains().memory[k].size());
@@ -183,9 +183,9 @@ int FixGrains::pack_exchange(int atom_number, double* numbers) {
   next = put(grains.spin[k], next);
   next = put(grains.force[k], next);
   next = put(grains.torque[k], next);
-  const std::vector<double>& remembered = rank.memory[k];
-  *next++ = static_cast<double>(remembered.size());
-  return static_cast<int>(std::copy(remembered.begin(), remembered.end(), next) - numbers);
+  const std::vector<double>& history = rank.memory[k];
+  *next++ = static_cast<double>(history.size());
+  return static_cast<int>(std::copy(history.begin(), history.end(), next) - numbers);
 }
 
 int FixGrains::unpack_exchange(int atom_number, double* numbers) {

@@ -41,16 +41,16 @@ class GrainPass final : public ContactPass {
       });
       double weight[Batch::kLanes];
       for (std::size_t lane = 0; lane < batch_.count; ++lane) {
-        weight[lane] = hand_out(grains, near_.pair[pairs[lane]], lane);
-        engine::remember(static_cast<const engine::ContactBatch<Law>&>(batch_), lane,
-                         near_.history_of(pairs[lane]));
+        weight[lane] = add_reactions(grains, near_.pair[pairs[lane]], lane);
+        engine::store_history(static_cast<const engine::ContactBatch<Law>&>(batch_), lane,
+                              near_.history_of(pairs[lane]));
         note_overlap(lane, figures.overlap);
       }
       book(batch_, weight, figures);
     }
   }
 
-  void remember(RankGrains& grains) const override {
+  void store_history(RankGrains& grains) const override {
     const auto sign = Law::history_signs();
     for (std::size_t p = 0; p < near_.pair.size(); ++p) {
       if (!near_.touching[p]) continue;
@@ -151,11 +151,11 @@ class GrainPass final : public ContactPass {
     batch_.velocity.set(lane, velocity);
     batch_.spin_sum.set(lane, spin + other_spin);
     batch_.relative_spin.set(lane, spin - other_spin);
-    engine::recall(near_.history_of(p), batch_, lane);
+    engine::load_history(near_.history_of(p), batch_, lane);
   }
 
   /// Adds a lane's forces to the sums of own grains; returns the share of the pair that is this rank's.
-  double hand_out(RankGrains& grains, NearPair pair, std::size_t lane) const {
+  double add_reactions(RankGrains& grains, NearPair pair, std::size_t lane) const {
     const End own = end_of(grains, pair.own), other = end_of(grains, pair.other);
     const engine::Vector3 force = batch_.force[lane], moment = batch_.moment[lane];
     const double load = kRolls ? pairs_.of(classes(lane)).law.rolling_friction * batch_.load[lane] : 0;

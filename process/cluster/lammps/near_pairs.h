@@ -30,10 +30,10 @@ struct NearPairs {
     touching.clear();
     history.clear();
   }
-  void add(const NearPair& added, const double* remembered) {
+  void add(const NearPair& added, const double* stored) {
     pair.push_back(added);
-    touching.push_back(remembered != nullptr);
-    for (std::size_t k = 0; k < width; ++k) history.push_back(remembered ? remembered[k] : 0.0);
+    touching.push_back(stored != nullptr);
+    for (std::size_t k = 0; k < width; ++k) history.push_back(stored ? stored[k] : 0.0);
   }
   double* history_of(std::size_t p) { return history.data() + p * width; }
   const double* history_of(std::size_t p) const { return history.data() + p * width; }

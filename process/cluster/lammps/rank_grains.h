@@ -81,7 +81,7 @@ class ContactPass {
   /// Adds the forces of a step to the sums of `grains`.
   virtual void add_forces(RankGrains& grains, ContactFigures& figures) = 0;
   /// Appends the history of touching pairs to the memory of own grains.
-  virtual void remember(RankGrains& grains) const = 0;
+  virtual void store_history(RankGrains& grains) const = 0;
   /// Appends the touching pairs that this rank answers for, so that each is named once over all ranks.
   virtual void name_contacts(const RankGrains& grains, engine::NamedContacts& named) const = 0;
   /// Length of a touching pair's history, and the factors that turn it into the history seen from the other

@@ -63,11 +63,11 @@ bool RankSteps::tools_moved_far() const {
   return false;
 }
 
-void RankSteps::remember() {
+void RankSteps::store_history() {
   if (!listed_) return;
   for (std::size_t k = 0; k < grains_.own; ++k) grains_.memory[k].clear();
-  grain_pass_->remember(grains_);
-  wall_pass_->remember(grains_);
+  grain_pass_->store_history(grains_);
+  wall_pass_->store_history(grains_);
   listed_ = false;
 }
 

@@ -22,11 +22,11 @@ class RankSteps {
 
   /// Poses of the tools at the ends of the coming steps, step after step.
   void plan(std::vector<engine::BodyMotion> motions);
-  /// Moves own grains to the end of the step; true where the list of near pairs is too old for what follows.
+  /// Moves own grains to the end of the step; true where the neighbour list is too old for what follows.
   bool advance();
   /// Stores the history of touching pairs with own grains, which may move to another rank. Does nothing where
   /// that has been done.
-  void remember();
+  void store_history();
   /// Finds near pairs; `drift` (m/s): the powder's mean velocity, over all ranks.
   void search(const NearGrains& near, const Eigen::Vector3d& drift);
   /// Contact forces, with all spheres placed.

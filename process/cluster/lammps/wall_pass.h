@@ -47,7 +47,7 @@ class WallPass final : public ContactPass {
       if (!near_[body].pair.empty()) add_body(grains, body, figures);
   }
 
-  void remember(RankGrains& grains) const override {
+  void store_history(RankGrains& grains) const override {
     for_touching(grains, [&](std::size_t body, std::size_t p, std::size_t grain, std::uint32_t number) {
       const NearPairs& near = near_[body];
       MemoryRecord::append(grains.memory[grain], MemoryRecord::body_key(body), number,
@@ -189,7 +189,7 @@ class WallPass final : public ContactPass {
       double weight[Batch::kLanes];
       for (std::size_t lane = 0; lane < batch_.count; ++lane) {
         weight[lane] = share;
-        hand_out(grains, body, touches_[done + lane], lane, figures.loads[body]);
+        add_reactions(grains, body, touches_[done + lane], lane, figures.loads[body]);
         note_overlap(share, lane, figures.overlap);
       }
       book(batch_, weight, figures);
@@ -223,7 +223,7 @@ class WallPass final : public ContactPass {
     batch_.spin_sum.set(lane, spin);
     batch_.relative_spin.set(lane, spin - engine::plain(pose.angular_velocity));
     if (grains.model.bodies[body].mirror()) use_motion_against_image(lane);
-    engine::recall(near_[body].history_of(touch.pair), batch_, lane);
+    engine::load_history(near_[body].history_of(touch.pair), batch_, lane);
   }
 
   /// Makes the motion against a plane of symmetry that against the grain's image: it comes as fast from the
@@ -238,8 +238,8 @@ class WallPass final : public ContactPass {
     batch_.relative_spin.set(lane, 2.0 * (spin - along));
   }
 
-  void hand_out(RankGrains& grains, std::size_t body, const Touch& touch, std::size_t lane,
-                engine::WallLoad& load) {
+  void add_reactions(RankGrains& grains, std::size_t body, const Touch& touch, std::size_t lane,
+                     engine::WallLoad& load) {
     const NearPair pair = near_[body].pair[touch.pair];
     const std::uint32_t own_class = batch_.classes[lane];
     const engine::Vector3 force = batch_.force[lane];
@@ -248,7 +248,7 @@ class WallPass final : public ContactPass {
     if constexpr (kTurns) sum.add_moment(batch_.moment[lane]);
     if constexpr (!kClumps && kTurns)
       sum.add_rolling_load(law(body, own_class).rolling_friction * batch_.load[lane]);
-    engine::remember(static_cast<const Batch&>(batch_), lane, near_[body].history_of(touch.pair));
+    engine::store_history(static_cast<const Batch&>(batch_), lane, near_[body].history_of(touch.pair));
     const engine::Vector3 contact =
         grains.sphere[pair.own] -
         contact_share(grains, body, own_class, touch.separation) * batch_.separation[lane];

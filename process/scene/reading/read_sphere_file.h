@@ -26,7 +26,7 @@ struct SphereRows {
 };
 
 /// Spheres of a file: a heading that names the columns x, y, z and radius with their units of length, in any
-/// order, such as "x [mm], y [mm], z [mm], radius [mm]", then four numbers a line. Throws SceneError with
+/// order, such as "x [mm], y [mm], z [mm], radius [mm]", then four numbers per line. Throws SceneError with
 /// file, line and column for anything else; std::runtime_error when it is missing or too large.
 SphereRows spheres_in_file(const std::filesystem::path& file, const SphereLimits& limits);
 

@@ -47,7 +47,9 @@ TEST(FullDisk, WithoutRoomForACheckpointWarns) {
                "kind = \"wait\"\nduration = \"1 ms\"");
   const Outcome outcome = run_program(die.run_arguments(), {die.folder(), 10000});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.err.find("warning: no checkpoint written"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("warning: no checkpoint written, and there is no earlier one"),
+            std::string::npos)
+      << outcome.err;
   EXPECT_NE(outcome.err.find("diefill: cannot write "), std::string::npos) << outcome.err;
   EXPECT_EQ(SmallDie::files_in(die.out()), std::vector<std::string>{"live.html"});
 }

@@ -10,7 +10,7 @@
 namespace diefill::app {
 namespace {
 
-/// Value behind `key: ` in what `diefill info` prints.
+/// Value after `key: ` in what `diefill info` prints.
 std::string line_of(const std::string& text, const std::string& key) {
   const std::size_t start = text.find(key + ": ");
   if (start == std::string::npos) return {};

@@ -56,6 +56,18 @@ TEST(SavedState, IsCutAtAHeight) {
   EXPECT_LT(after, before);
 }
 
+TEST(SavedState, OfAHalfModelGoesOnInAHalfModel) {
+  const SmallDie die;
+  die.exchange("[numerics]", "[economy]\nmirror = \"y\"\n\n[numerics]");
+  settle_and_go_on(die, "state = \"settled\"");
+  const Outcome outcome = die.run({"--quiet", "--no-pictures"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto before = settled_report(die), after = die.report();
+  EXPECT_EQ(after.at("grains"), before.at("grains"));
+  const double mass = before.at("filled_mass_kg").get<double>();
+  EXPECT_NEAR(after.at("filled_mass_kg").get<double>(), mass, 1e-9 * mass);
+}
+
 TEST(SavedState, ResumesAsTheUnbrokenRun) {
   const SmallDie die;
   settle_and_go_on(die, "state = \"settled\"");

@@ -175,6 +175,14 @@ TEST(NoCavity, WithAPunchTooLow) {
                  "-5 to 0 mm");
 }
 
+TEST(NoCavity, WithAPunchThatFillsTheHole) {
+  for (const double top : {0.0, 1.0}) {
+    const ThroughDie die;
+    die.add_tool("punch", "punch", punch_to(top), "[\"0 mm\", \"0 mm\", \"0 mm\"]");
+    expect_refused(die, "punch \"punch\" fills the hole: its top is at z = ");
+  }
+}
+
 TEST(NoCavity, WithAPunchInInches) {
   const ThroughDie die;
   cad::Part punch = punch_to(-4);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/observe/powder_figures.h"
 #include "process/run/assemble.h"
 #include "tests/process/scene_files.h"
@@ -27,8 +29,10 @@ geometry::Mesh plate() {
 class OnAPlate {
  public:
   explicit OnAPlate(const std::string& powder, const std::string& other = "",
-                    const std::string& steps = "[[step]]\nkind = \"wait\"\nduration = \"1 s\"\n") {
+                    const std::string& steps = "[[step]]\nkind = \"wait\"\nduration = \"1 s\"\n",
+                    const std::string& numerics = "") {
     support::SceneTables tables;
+    tables.numerics += numerics;
     tables.powder = powder + "\n" + other;
     tables.pour =
         "from = [\"-1 mm\", \"-1 mm\", \"0 mm\"]\nto = [\"1 mm\", \"1 mm\", \"5 mm\"]\n"
@@ -109,6 +113,28 @@ TEST(FillRun, StopsEveryGrainWhereAChangeSaysAtRest) {
     EXPECT_LT(grains.velocity[k].norm(), 1e-5 * speed) << k << ": more than the drag of half a step";
     EXPECT_LE(grains.spin[k].norm(), 1e-3 * turning) << k;
   }
+}
+
+// Along x, with the period: every grain passes the plane two or three times.
+TEST(FillRun, FlowOfPowderThatComesRoundAPeriodGoesOn) {
+  OnAPlate carried(
+      "preset = \"Distaloy AE\"\n", "",
+      "[[step]]\nkind = \"settle\"\nduration = \"0.1 ms\"\nfrom_start = true\n\n[[step]]\nkind = "
+      "\"change\"\ngravity = [\"100 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n\n[[step]]\nkind = \"wait\"\n"
+      "duration = \"1 s\"\n\n[[probe]]\nname = \"round\"\nquantity = \"flow\"\norigin = [\"0 mm\", "
+      "\"0 mm\", \"0 mm\"]\nnormal = \"x\"\n",
+      "periodic = { x = \"4 mm\" }\n");
+  const double whole_way = 10e-3;  // m
+  const auto run = carried.run_until(std::sqrt(2 * whole_way / 100));
+  const results::ProbeSeries flow = run->probes().front();
+  ASSERT_EQ(flow.columns.at(1), "mass");
+  std::vector<double> mass;
+  for (std::size_t n = 1; n < flow.values.size(); n += flow.columns.size()) mass.push_back(flow.values[n]);
+  ASSERT_GT(mass.size(), 10U);
+  const double all = engine::powder_mass(run->simulation()), rounding = 1e-9 * all;
+  for (std::size_t n = 1; n < mass.size(); ++n) EXPECT_GE(mass[n], mass[n - 1] - rounding) << n;
+  EXPECT_GE(mass.back(), 1.9 * all) << "the last row is up to a millisecond old";
+  EXPECT_LE(mass.back(), 3 * all + rounding);
 }
 
 TEST(FillRun, EndsWithTheWarningsOfAnUnbrokenRunAfterARestart) {
