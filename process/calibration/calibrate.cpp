@@ -15,7 +15,12 @@
 namespace diefill::process::calibration {
 namespace {
 
-constexpr std::size_t kEdgePoints = 4;  // at most, for checks
+/// Sets of parameters from the edge of the region, for checks: with the best one they are enough for the
+/// worth of a measurement (measurement_worth.cpp); no more than two for each parameter.
+std::size_t edge_points(std::size_t parameters) {
+  constexpr std::size_t kUsual = 4;
+  return std::min(std::max(kUsual, parameters + 1), 2 * parameters);
+}
 
 std::vector<double> plain(const Eigen::VectorXd& place) {
   return {place.begin(), place.end()};
@@ -46,11 +51,11 @@ class Search {
       if (runs_.over_budget()) return "the budget is used";
       if (!fit_) return why_no_fit(plan_, simulated_);
       const NextPoints next =
-          next_points(*fit_->likelihood, fit_->region, taken(),
-                      static_cast<std::size_t>(plan_.points_at_once), plan_.seed + simulated_.points.size());
+          next_points(*fit_->likelihood, fit_->region, taken(), static_cast<std::size_t>(points_of_round()),
+                      plan_.seed + simulated_.points.size());
       report(next);
       if (!next.worthwhile()) return reason(next);
-      if (simulated_.points.size() + next.places.size() > static_cast<std::size_t>(plan_.most_points))
+      if (points_left() < 1)
         return "the search reached its most points (" + std::to_string(plan_.most_points) + ")";
       if (!take({{"search", plain(next.places.front())}})) return elsewhere_text();
       for (std::size_t k = 1; k < next.places.size(); ++k)
@@ -91,6 +96,10 @@ class Search {
   const results::JobList& open_jobs() const { return runs_.open_jobs(); }
 
  private:
+  int points_left() const { return plan_.most_points - static_cast<int>(simulated_.points.size()); }
+  /// As many as are left where these are fewer; one at least, to say what a further one would bring.
+  int points_of_round() const { return std::clamp(points_left(), 1, plan_.points_at_once); }
+
   bool has_checks() const {
     return std::any_of(plan_.measurements.begin(), plan_.measurements.end(),
                        [](const Measurement& measurement) { return !measurement.fitted; });
@@ -102,7 +111,7 @@ class Search {
     if (!runs_.open_jobs().jobs.empty()) return open_text();
     if (!take({{"best", plain(fit_->region.best), true, true}})) return elsewhere_text();
     if (has_checks())
-      for (const auto& place : edge_of(fit_->region, std::min(kEdgePoints, 2 * plan_.parameters.size())))
+      for (const auto& place : edge_of(fit_->region, edge_points(plan_.parameters.size())))
         simulated_.points.push_back({"edge", plain(place), false, true});
     if (!plan_.finer_grains.empty())
       simulated_.points.push_back({"finer", plain(fit_->region.best), true, true, finer_grains_of(plan_)});

@@ -6,12 +6,11 @@
 
 #include "process/calibration/calibration_results.h"
 #include "process/input/units.h"
+#include "process/results/none.h"
 #include "process/tradeoff/evaluate.h"
 
 namespace diefill::process::calibration {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Name, units and measured values.
 results::CalibratedMeasurement measured(const Measurement& measurement) {

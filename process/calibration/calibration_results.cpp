@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <numeric>
 
 #include "process/calibration/methods/insight.h"
 #include "process/calibration/methods/next_points.h"
 #include "process/input/units.h"
 #include "process/results/formatted.h"
+#include "process/results/none.h"
 
 namespace diefill::process::calibration {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// chi^2 of a point's own runs; NaN where a fitted value is missing. Without a fit, all values are to be
 /// fitted.

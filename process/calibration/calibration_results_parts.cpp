@@ -1,15 +1,14 @@
 // Parameters and maps of a calibration's account.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "process/calibration/calibration_results.h"
+#include "process/results/none.h"
 
 namespace diefill::process::calibration {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kProfilePlaces = 31, kMapNodes = 31, kMapNodesOfMany = 15;
 constexpr Eigen::Index kKeptSamples = 200;
 

@@ -16,6 +16,7 @@
 #include "process/scene/key_path.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/variants.h"
+#include "process/scene/zones.h"
 #include "process/tradeoff/quantities.h"
 
 namespace diefill::process::calibration {
@@ -27,7 +28,8 @@ struct ChosenFigure {
   std::function<double(const results::FillResult&)> value;
 };
 
-/// Figures of zones and heaps that the scene does not have, and of cavities that no die has.
+/// Figures of zones and heaps that the scene does not have, and of cavities that no die has. Results have
+/// zones of the largest cavity alone, and heaps without a cavity.
 void refuse_unknown_item(TableReader& table, const std::string& word,
                          const std::vector<std::string>& of_scene) {
   static const std::regex of_cavity("cavity_([0-9]+)_(.*)");
@@ -39,16 +41,29 @@ void refuse_unknown_item(TableReader& table, const std::string& word,
   const results::Figure* figure = results::find_figure(word);
   const std::string name = further ? parts[2].str() : word;
   if (figure == nullptr || !results::is_per_item(*figure) ||
-      std::find(of_scene.begin(), of_scene.end(), name) != of_scene.end())
+      std::find(of_scene.begin(), of_scene.end(), word) != of_scene.end())
     return;
   std::vector<std::string> items;
   for (const std::string& key : of_scene)
     if (results::find_figure(key) == figure) items.push_back(key);
   const bool heap = std::string(figure->name).starts_with("slope_of_");
+  if (further && std::find(items.begin(), items.end(), name) != items.end())
+    table.reject("figure", std::string("of further cavities there are no figures of ") +
+                               (heap ? "heaps" : "zones") + "; allowed: \"" + name + '"' +
+                               (heap ? "" : ", of the largest cavity"));
   if (items.empty())
     table.reject("figure", std::string("the scene has no [[measure.") + (heap ? "heap" : "zone") +
                                "]]; name one there, or choose another figure");
   throw SceneError(table.where("figure") + ": " + not_among(word, items));
+}
+
+/// As results call the figure: of a further cavity some have another name after the number.
+std::string stored_name(const std::string& word, const results::Figure& figure) {
+  const std::string name = figure.name;
+  const bool further = word.size() > name.size() && word.ends_with(name);
+  return further && figure.other_name != nullptr
+             ? word.substr(0, word.size() - name.size()) + figure.other_name
+             : word;
 }
 
 /// A quantity of the trade-off, or else a figure of report.json.
@@ -58,11 +73,14 @@ ChosenFigure figure_called(TableReader& table, const std::string& word, const Sc
     if (quantity.about.key == word) return {quantity.about.name, quantity.about.unit, quantity.value};
     known.push_back(quantity.about.key);
   }
+  for (const Zone& zone : zones_in(scene.text)) known.push_back(zone_mass_figure(zone.name));
   refuse_unknown_item(table, word, known);
   for (const results::Figure& figure : results::figure_table()) known.emplace_back(figure.name);
   if (const results::Figure* figure = results::find_figure(word))
-    return {figure->label, figure->unit,
-            [word](const results::FillResult& result) { return results::figure_of(result, word); }};
+    return {results::label_of(*figure, results::item_of(*figure, word)), figure->unit,
+            [name = stored_name(word, *figure)](const results::FillResult& result) {
+              return results::figure_of(result, name);
+            }};
   const auto meant = nearest_key(word, known);
   table.reject("figure", meant ? "no figure has this name; did you mean \"" + *meant + "\"?"
                                : "no figure has this name; process/results/figures.md and the keys of "
@@ -77,6 +95,13 @@ double factor_into(const TableReader& table, const MeasuredColumn& column, const
     throw SceneError(table.where("figure") + ": measured in \"" + column.unit + "\", but the figure has \"" +
                      figure.unit + "\": " + error.what());
   }
+}
+
+/// What a figure repeats after, in `unit`; 0 for figures that are no angles round a circle.
+double period_of_figure(const std::string& word, const std::string& unit) {
+  const results::Figure* figure = results::find_figure(word);
+  if (figure == nullptr || !(figure->shown.period > 0)) return 0;
+  return figure->shown.period * unit_factor(figure->shown.unit, unit);
 }
 
 /// Whether the measurement's file has the columns of a curve.
@@ -100,6 +125,11 @@ MeasuredTable measured_figure(TableReader& table) {
   }
 }
 
+/// An angle by whole periods as near to the measured one as it can be: 359 deg are -1 deg beside 2 deg.
+double nearest_turn(double value, double measured, double period) {
+  return period > 0 ? measured + std::remainder(value - measured, period) : value;
+}
+
 /// The line of TOML that sets the key to a place of a curve.
 std::string assignment_at(double place, const std::string& key, const MeasuredColumn& column) {
   return assignment_line(key, results::formatted("%.10g", place), column.unit);
@@ -116,6 +146,18 @@ std::vector<MeasurementRun> runs_over(const MeasurementRun& run, const std::stri
     runs.push_back(std::move(one));
   }
   return runs;
+}
+
+/// A value of each run, in the measured one's unit.
+std::function<std::vector<double>(const std::vector<FinishedRun>&)> values_of_runs(
+    const std::string& word, const ChosenFigure& figure, double factor, const MeasuredColumn& column) {
+  return [factor, value = figure.value, measured = column.values,
+          period = period_of_figure(word, column.unit)](const std::vector<FinishedRun>& runs) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < runs.size(); ++k)
+      values.push_back(nearest_turn(factor * value(*runs[k].result), measured[k], period));
+    return values;
+  };
 }
 
 }  // namespace
@@ -144,11 +186,7 @@ Measurement read_figure_measurement(TableReader& table, const MeasurementContext
         table.where("over"));
   measurement.runs = over ? runs_over(run, *over, measurement.data.places[0]) : std::vector{run};
   if (over) measurement.data.places[0].name = *over;
-  measurement.simulated = [factor, value = figure.value](const std::vector<FinishedRun>& runs) {
-    std::vector<double> values;
-    for (const FinishedRun& each : runs) values.push_back(factor * value(*each.result));
-    return values;
-  };
+  measurement.simulated = values_of_runs(word, figure, factor, measurement.data.value);
   return measurement;
 }
 

@@ -22,7 +22,7 @@ void refuse_too_many(const Measurement& measurement) {
                      " with use = \"fit\"; average on a coarser grid, no finer than the averaging width");
 }
 
-/// A message about a scene without line and column behind the file's name.
+/// A message about a scene without line and column after the file's name.
 std::string without_place(std::string message, const std::filesystem::path& file) {
   const std::string start = file.string() + ':';
   if (!message.starts_with(start)) return message;

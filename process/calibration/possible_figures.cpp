@@ -36,9 +36,13 @@ constexpr std::array<Rule, 12> kRules = {{{"_through_", "", -kAny, kAny},  // ei
 }  // namespace
 
 PossibleValues possible_values_of_figure(const std::string& name, const std::string& unit) {
+  // A zone or heap may be called as a part of another figure: the dimension tells.
+  const auto meant = [&](const Rule& rule) {
+    return name.find(rule.part) != std::string::npos &&
+           (*rule.unit == '\0' || has_same_dimension(unit, rule.unit));
+  };
   for (const Rule& rule : kRules)
-    if (name.find(rule.part) != std::string::npos)
-      return {*rule.unit == '\0' ? unit : rule.unit, rule.least, rule.most};
+    if (meant(rule)) return {*rule.unit == '\0' ? unit : rule.unit, rule.least, rule.most};
   if (has_same_dimension(unit, "kg/m^3")) return {"kg/m^3", 0, kDensest};
   return {unit, 0, kAny};
 }

@@ -10,6 +10,7 @@
 #include "process/compare/statistics.h"
 #include "process/input/shown_value.h"
 #include "process/input/table_reader.h"
+#include "process/results/figure_table.h"
 #include "process/results/studies/quantiles.h"
 #include "process/scene/key_path.h"
 #include "process/scene/powder/powder_file.h"
@@ -97,27 +98,6 @@ bool significant(const Sample& powders, const Sample& seeds) {
   return powders.scatter * powders.scatter > ratio * seeds.scatter * seeds.scatter;
 }
 
-/// One measure of the comparison's runs, in their order.
-results::SpreadFigure spread_of(const results::ComparedMeasure& measure,
-                                const std::vector<results::ComparedRun>& runs, std::size_t seeds) {
-  results::SpreadFigure figure{measure.key, measure.name, measure.unit, {}, {}};
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    const auto found = runs[k].values.find(measure.key);
-    (k < seeds ? figure.of_seeds : figure.of_powders)
-        .push_back(found == runs[k].values.end() ? std::numeric_limits<double>::quiet_NaN() : found->second);
-  }
-  const Sample best = sample_of(figure.of_seeds), powders = sample_of(figure.of_powders);
-  figure.best = best.mean;
-  figure.scatter = best.scatter;
-  figure.mean = powders.mean;
-  figure.spread = powders.scatter;
-  figure.powder = std::sqrt(std::max(0.0, powders.scatter * powders.scatter - best.scatter * best.scatter));
-  if (!std::isfinite(powders.scatter) || !std::isfinite(best.scatter))
-    figure.powder = std::numeric_limits<double>::quiet_NaN();
-  figure.significant = significant(powders, best);
-  return figure;
-}
-
 }  // namespace
 
 PowderRegion powder_region_of(const std::filesystem::path& scene_file) {
@@ -162,6 +142,28 @@ std::vector<Variant> powder_variants(const Scene& scene, const PowderRegion& reg
     variants.push_back(variant_of(scene, "powder " + std::to_string(k + 1), "powder_" + std::to_string(k + 1),
                                   assignments(region, powders[k]), seeds + static_cast<int>(k)));
   return variants;
+}
+
+results::SpreadFigure spread_of(const results::ComparedMeasure& measure,
+                                const std::vector<results::ComparedRun>& runs, std::size_t seeds) {
+  results::SpreadFigure figure{measure.key, measure.name, measure.unit, {}, {}};
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const auto found = runs[k].values.find(measure.key);
+    (k < seeds ? figure.of_seeds : figure.of_powders)
+        .push_back(found == runs[k].values.end() ? std::numeric_limits<double>::quiet_NaN() : found->second);
+  }
+  const results::Figure* known = results::find_figure(measure.key);
+  const double period = known == nullptr ? 0 : known->shown.period;
+  const Sample best = sample_of(figure.of_seeds, period), powders = sample_of(figure.of_powders, period);
+  figure.best = best.mean;
+  figure.scatter = best.scatter;
+  figure.mean = powders.mean;
+  figure.spread = powders.scatter;
+  figure.powder = std::sqrt(std::max(0.0, powders.scatter * powders.scatter - best.scatter * best.scatter));
+  if (!std::isfinite(powders.scatter) || !std::isfinite(best.scatter))
+    figure.powder = std::numeric_limits<double>::quiet_NaN();
+  figure.significant = significant(powders, best);
+  return figure;
 }
 
 results::PowderSpread powder_spread(const std::filesystem::path& directory, const PowderRegion& region,

@@ -33,6 +33,11 @@ std::vector<std::vector<double>> drawn_samples(const PowderRegion& region, int c
 std::vector<Variant> powder_variants(const Scene& scene, const PowderRegion& region,
                                      const std::vector<std::vector<double>>& powders, int seeds);
 
+/// One measure of `runs`: the best powder's with `seeds` seeds, then one for each powder. Angles count round
+/// the circle. NaN where a run has no value.
+results::SpreadFigure spread_of(const results::ComparedMeasure& measure,
+                                const std::vector<results::ComparedRun>& runs, std::size_t seeds);
+
 /// The figures that are compared, from the results in `directory` of powder_variants() in that order.
 results::PowderSpread powder_spread(const std::filesystem::path& directory, const PowderRegion& region,
                                     const std::vector<std::vector<double>>& powders, int seeds);

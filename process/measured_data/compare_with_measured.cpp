@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <limits>
 
 #include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
@@ -12,13 +11,12 @@
 #include "process/input/unit_conversion.h"
 #include "process/measured_data/known_fields.h"
 #include "process/measured_data/simulated_values.h"
+#include "process/results/none.h"
 #include "process/results/studies/correlation.h"
 #include "process/scene/zones.h"
 
 namespace diefill::process {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 using Chosen = std::function<bool(std::size_t)>;
 

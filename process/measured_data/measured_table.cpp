@@ -1,6 +1,7 @@
 #include "process/measured_data/measured_table.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -50,6 +51,12 @@ void convert(MeasuredColumn& deviation, const MeasuredColumn& value) {
   }
 }
 
+/// Where a point's deviation stands: the line of the file, or its own key.
+std::string place_of_deviation(const MeasuredTable& table, std::size_t point) {
+  if (!table.lines.empty()) return table.where_of(point);
+  return table.deviation.where + (table.size() > 1 ? ": point " + std::to_string(point + 1) : "");
+}
+
 /// Throws SceneError for a deviation that no measurement of these values has: chi^2 would be without bounds
 /// or without meaning.
 void check_deviations(const MeasuredTable& table) {
@@ -61,7 +68,8 @@ void check_deviations(const MeasuredTable& table) {
   const std::string unit = table.value.unit == "1" ? "" : ' ' + table.value.unit;
   for (std::size_t k = 0; k < table.size(); ++k) {
     const double deviation = table.deviation.values[k];
-    const std::string found = table.where_of(k) + ": the standard deviation is " + number_text(deviation);
+    const std::string found =
+        place_of_deviation(table, k) + ": the standard deviation is " + number_text(deviation);
     if (!(deviation > 0))
       throw SceneError(found +
                        ", allowed: more than 0; give the standard deviation of repeated measurements");
@@ -100,7 +108,8 @@ MeasuredColumn column_from(TableReader& measurement, const std::string& key, con
   return column;
 }
 
-MeasuredTable read_inline(TableReader& measurement, std::size_t places) {
+/// `place`: what the column under "at" is called.
+MeasuredTable read_inline(TableReader& measurement, std::size_t places, const std::string& place) {
   const bool single = places == 0;
   if (places == 2) measurement.require("file", "\"map.csv\"");
   MeasuredTable table;
@@ -121,6 +130,7 @@ MeasuredTable read_inline(TableReader& measurement, std::size_t places) {
   count(key, table.deviation, table.size());
   convert(table.deviation, table.value);
   table.where = table.value.where;
+  if (!single) table.places[0].name = place;
   clean(table);
   return table;
 }
@@ -168,8 +178,11 @@ Columns columns_in(const std::filesystem::path& path,
   return read;
 }
 
+/// By its name, with or without capitals.
 bool is_deviation(const MeasuredColumn& column) {
-  return column.name.find("deviation") != std::string::npos;
+  std::string name = column.name;
+  for (char& letter : name) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return name.find("deviation") != std::string::npos;
 }
 
 /// The column of deviations, taken out; nothing where none is called so.
@@ -296,13 +309,15 @@ MeasuredTable read_measured_field(const std::filesystem::path& file) {
 }
 
 MeasuredTable read_measured(TableReader& measurement, std::size_t places) {
-  if (!measurement.has("file")) return read_inline(measurement, places);
+  // Values of a scene's key are no places round a ring, even where they are angles.
+  if (!measurement.has("file"))
+    return read_inline(measurement, places, measurement.text("over").value_or(kUnnamedPlaces));
   refuse_values_beside_file(measurement);
   return read_measured_csv(named_file(measurement, "file", "measured.csv"), places);
 }
 
 MeasuredTable read_measured_field(TableReader& measurement, std::size_t places) {
-  if (!measurement.has("file")) return read_inline(measurement, places);
+  if (!measurement.has("file")) return read_inline(measurement, places, kUnnamedPlaces);
   refuse_values_beside_file(measurement);
   MeasuredTable table = field_in(named_file(measurement, "file", "measured.csv"), places);
   if (table.places.size() != places)

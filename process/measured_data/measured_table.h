@@ -34,11 +34,11 @@ struct MeasuredTable {
 inline constexpr const char* kUnnamedPlaces = "at";
 
 /// Reads a CSV: a header such as `velocity [m/s], mass [g], deviation [g]`, then numbers; lines that begin
-/// with # are comments. A column with "deviation" in its name may stand anywhere. Throws SceneError, in one
-/// line with file, line and column, for a missing unit, two columns of one name, a wrong number of columns, a
-/// text that is no number, a deviation that is not above zero or not within a factor of 1e9 of the largest
-/// value, points of a curve that are not in rising order, azimuths outside -360 to 720 deg, and places given
-/// twice (azimuths modulo 360 deg).
+/// with # are comments. A column with "deviation" in its name, with or without capitals, may stand anywhere.
+/// Throws SceneError, in one line with file, line and column, for a missing unit, two columns of one name, a
+/// wrong number of columns, a text that is no number, a deviation that is not above zero or not within a
+/// factor of 1e9 of the largest value, points of a curve that are not in rising order, azimuths outside -360
+/// to 720 deg, and places given twice (azimuths modulo 360 deg).
 MeasuredTable read_measured_csv(const std::filesystem::path& file, std::size_t places);
 
 /// Reads a profile or map whose columns say themselves what they are, in any order: one or two places as
@@ -48,7 +48,8 @@ MeasuredTable read_measured_csv(const std::filesystem::path& file, std::size_t p
 MeasuredTable read_measured_field(const std::filesystem::path& file);
 
 /// What a [[measurement]] says: `file` (a CSV); or `value` and `deviation`; or, for a curve, the lists `at`,
-/// `values` and `deviations` (one deviation serves all values). Throws SceneError.
+/// `values` and `deviations` (one deviation serves all values). Places are called as the key `over` says, and
+/// are azimuths only where that is "azimuth". Throws SceneError.
 MeasuredTable read_measured(TableReader& measurement, std::size_t places);
 
 /// The same of a profile (one place) or map (two); its `file` is read as a field, and must have deviations.

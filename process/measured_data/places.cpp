@@ -40,6 +40,12 @@ bool repeats(const MeasuredTable& table, const MeasuredColumn& azimuths, std::si
          std::all_of(table.places.begin(), table.places.end(), same);
 }
 
+/// Where a point's place stands: the line of the file, or its entry of the key.
+std::string where_of_place(const MeasuredTable& table, std::size_t point) {
+  if (!table.lines.empty() || table.places.empty()) return table.where_of(point);
+  return table.places[0].where + ": point " + std::to_string(point + 1);
+}
+
 void remove_point(MeasuredTable& table, std::size_t point) {
   const auto at = static_cast<std::ptrdiff_t>(point);
   const auto shorten = [&](auto& values) {
@@ -79,19 +85,19 @@ void check_places(const MeasuredTable& table) {
       place.push_back(column.values[k]);
       if (!holds_azimuths(column)) continue;
       const double azimuth = unit_factor(column.unit, "deg") * place.back();
-      check_azimuth(azimuth, table.where_of(k));
+      check_azimuth(azimuth, where_of_place(table, k));
       place.back() = azimuth_in_circle(azimuth);
       round = true;
     }
     if (!place.empty() && !seen.insert(place).second)
-      throw SceneError(table.where_of(k) + ": this place is given twice" +
+      throw SceneError(where_of_place(table, k) + ": this place is given twice" +
                        (round ? " (azimuths count modulo 360 deg)" : "") +
                        "; give each place once, with the mean of its values");
     if (place.size() != 1 || k == 0) continue;
     const double here = table.places[0].values[k], before = table.places[0].values[k - 1];
     if (here < before)
-      throw SceneError(table.where_of(k) + ": " + number_text(here) + " follows " + number_text(before) +
-                       "; sort the points in rising order");
+      throw SceneError(where_of_place(table, k) + ": " + number_text(here) + " follows " +
+                       number_text(before) + "; sort the points in rising order");
   }
 }
 

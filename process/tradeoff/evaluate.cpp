@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "process/results/formatted.h"
+#include "process/results/none.h"
 #include "process/results/studies/quantiles.h"
 
 namespace diefill::process {
@@ -14,8 +14,6 @@ using results::Tradeoff;
 using results::TradeoffPoint;
 using results::TradeoffQuantity;
 using results::TradeoffValue;
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 const TradeoffQuantity* quantity_called(const Tradeoff& tradeoff, const std::string& key) {
   for (const auto& quantity : tradeoff.quantities)

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "process/compare/compared_fields.h"
 #include "process/compare/job_folder.h"
 #include "process/compare/statistics.h"
+#include "process/results/none.h"
 #include "process/results/storage/result_file.h"
 #include "process/results/studies/job_cost.h"
 #include "process/results/studies/mean.h"
@@ -14,8 +14,6 @@
 
 namespace diefill::process {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 results::TradeoffValue value_over(const std::vector<double>& runs) {
   const Sample sample = sample_of(runs);

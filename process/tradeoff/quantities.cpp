@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <string_view>
 
 #include "process/measure/figures/heap_slope.h"
 #include "process/results/figure_table.h"
+#include "process/results/none.h"
 #include "process/scene/zones.h"
 
 namespace diefill::process {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 using results::figure_called;
 
@@ -150,17 +149,26 @@ double divisor_of(const Zone& zone, const Scene& scene) {
   return divisor;
 }
 
+/// A figure's name without the unit at its end, which the quantity may have in another one.
+std::string without_unit(const std::string& figure) {
+  constexpr std::string_view kUnit = "_kg";
+  return figure.ends_with(kUnit) ? figure.substr(0, figure.size() - kUnit.size()) : figure;
+}
+
 void add_zones(std::vector<MeasuredQuantity>& all, const Scene& scene) {
-  const auto add = [&](const Zone& zone, const std::string& key, const std::string& unit, double divisor) {
-    all.push_back(
-        {{.key = key, .name = results::label_of(figure_called(key), zone.name), .unit = unit},
-         [key, divisor](const results::FillResult& result) { return value_of(result, key) / divisor; }});
+  const auto add = [&](const Zone& zone, const std::string& figure, const std::string& unit, double divisor) {
+    all.push_back({{.key = without_unit(figure),
+                    .name = results::label_of(figure_called(figure), zone.name),
+                    .unit = unit},
+                   [figure, divisor](const results::FillResult& result) {
+                     return value_of(result, figure) / divisor;
+                   }});
   };
   const Slice slice = slice_of(scene);
   for (const Zone& zone : zones_in(scene.text)) {
     add(zone, zone_mass_figure(zone.name), slice.unit, divisor_of(zone, scene));
-    for (const std::string& key : {zone_share_figure(zone.name), zone_solid_fraction_figure(zone.name)})
-      add(zone, key, figure_called(key).shown.unit, 1);
+    for (const std::string& figure : {zone_share_figure(zone.name), zone_solid_fraction_figure(zone.name)})
+      add(zone, figure, figure_called(figure).shown.unit, 1);
   }
 }
 

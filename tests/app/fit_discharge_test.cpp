@@ -135,6 +135,20 @@ TEST_F(FitDischarge, StatesTheFittedFactorOfTheEffectiveOpening) {
   EXPECT_NE(outcome.out.find("openings count as D - 2 d with d = 1 mm"), std::string::npos) << outcome.out;
 }
 
+TEST_F(FitDischarge, SaysOfAFactorAtItsLimitWhatThePointsDoNotShow) {
+  // As if no grain took anything from the opening: k is at its least value.
+  const auto file =
+      folder_.write("rates.csv", "rate g/s,diameter mm\n3.21,5\n9.92,8\n21.3,11\n44.8,15\n").string();
+  const Outcome outcome = run_program(
+      {"fit-discharge", file, "--density", "1 g/cm^3", "--grain-diameter", "1 mm", "--out", out().string()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find(
+                "k is at the limit of the search range: the points do not show how the flow depends on "
+                "the size of the opening"),
+            std::string::npos)
+      << outcome.out;
+}
+
 TEST_F(FitDischarge, LeavesOutWithUntilWhatCameOnceTheHopperWasEmpty) {
   const auto file = folder_.write("outflow.csv", outflow({0.05, 0.39, 0.92, 1.4}, 0.5)).string();
   const std::vector<std::string> whole = {"fit-discharge", file,        "--density", "2.1 g/cm^3",  "--width",
@@ -164,7 +178,7 @@ TEST_F(FitDischarge, RemarksOnAnOutflowThatNoLongerRises) {
 
 TEST_F(FitDischarge, SaysWhatToDoOfAnOptionTwiceOrWithoutAValue) {
   expect_refused(words(masses(), {"--density", "2 g/cm^3"}), "--density: found more than one value");
-  expect_refused(words(masses(), {"--law"}), "--law: found no value; write one behind it");
+  expect_refused(words(masses(), {"--law"}), "--law: found no value; write one after it");
 }
 
 TEST_F(FitDischarge, RefusesBadInputInOneLineAndWritesNothing) {

@@ -19,7 +19,7 @@ struct EnsembleSize {
 };
 
 struct EnsembleSamples {
-  Eigen::MatrixXd place;  ///< in the unit cube, one a row
+  Eigen::MatrixXd place;  ///< in the unit cube, one per row
   Eigen::VectorXd log;    ///< logarithm of the density of each
 };
 

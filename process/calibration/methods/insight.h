@@ -16,7 +16,7 @@ namespace diefill::process::calibration {
 std::vector<std::string> insights(const Region& region, const std::vector<std::string>& parameters,
                                   const std::vector<std::string>& measured_by);
 
-/// A measurement that could be made (again): what it would give over the samples of the region, one a row,
+/// A measurement that could be made (again): what it would give over the samples of the region, one per row,
 /// and its standard deviations.
 struct PossibleMeasurement {
   std::string name;

@@ -47,6 +47,52 @@ void summarise(Region& region) {
   region.covariance = off.transpose() * off / static_cast<double>(region.samples.rows() - 1);
 }
 
+constexpr int kEvaluations = 100;       // of a profile's value at a place
+constexpr Eigen::Index kFewOthers = 3;  // that a search of their box finds without help
+
+/// An objective with one parameter held; NLopt takes no interval without width: only the others are searched.
+struct Held {
+  const Objective& objective;
+  Eigen::Index parameter;
+  double place;
+
+  Eigen::VectorXd whole(const Eigen::VectorXd& others) const {
+    Eigen::VectorXd all(others.size() + 1);
+    all << others.head(parameter), place, others.tail(others.size() - parameter);
+    return all;
+  }
+  double operator()(const Eigen::VectorXd& others) const { return objective(whole(others)); }
+  ProfilePoint at(const Minimum& least) const { return {place, least.value, whole(least.at)}; }
+};
+
+ProfilePoint least_in_box(const Held& held, Eigen::Index dimensions) {
+  const Eigen::Index others = dimensions - 1;
+  if (others == 0) return held.at({Eigen::VectorXd(0), held(Eigen::VectorXd(0))});
+  return held.at(
+      minimum_in_box(held, Eigen::VectorXd::Zero(others), Eigen::VectorXd::Ones(others), kEvaluations));
+}
+
+/// In a narrow valley of many parameters the line through a place's neighbours leads to a lower value: there
+/// and back again.
+void go_down_from_neighbours(const Objective& objective, Eigen::Index parameter,
+                             std::vector<ProfilePoint>& along) {
+  const auto others = [&](const ProfilePoint& point) {
+    const Eigen::Index count = point.others.size() - 1;
+    Eigen::VectorXd place(count);
+    place << point.others.head(parameter), point.others.tail(count - parameter);
+    return place;
+  };
+  const auto try_from = [&](const ProfilePoint& further, const ProfilePoint& neighbour, ProfilePoint& point) {
+    const Eigen::VectorXd start = 2 * others(neighbour) - others(further);
+    const Held held{objective, parameter, point.place};
+    const Minimum least = minimum_near(held, start, Eigen::VectorXd::Zero(start.size()),
+                                       Eigen::VectorXd::Ones(start.size()), kEvaluations);
+    if (least.value < point.value) point = held.at(least);
+  };
+  for (std::size_t k = 2; k < along.size(); ++k) try_from(along[k - 2], along[k - 1], along[k]);
+  for (std::size_t k = along.size(); k-- > 2;) try_from(along[k], along[k - 1], along[k - 2]);
+}
+
 }  // namespace
 
 double Region::correlation(Eigen::Index first, Eigen::Index second) const {
@@ -76,26 +122,14 @@ Region sample_region(const LogLikelihood& log_likelihood, Eigen::Index dimension
 
 std::vector<std::vector<ProfilePoint>> profiles(const Objective& objective, Eigen::Index dimensions,
                                                 int count) {
-  std::vector<std::vector<ProfilePoint>> all(static_cast<std::size_t>(dimensions));
-  for (Eigen::Index d = 0; d < dimensions; ++d)
-    for (int k = 0; k < count; ++k) {
-      Eigen::VectorXd lower = Eigen::VectorXd::Zero(dimensions), upper = Eigen::VectorXd::Ones(dimensions);
-      lower[d] = upper[d] = static_cast<double>(k) / (count - 1);
-      Minimum best{lower, objective(lower)};
-      if (dimensions > 1) {
-        // NLopt takes no interval without width: only the others are searched.
-        const auto whole = [&](const Eigen::VectorXd& others) {
-          Eigen::VectorXd place(dimensions);
-          place << others.head(d), lower[d], others.tail(dimensions - 1 - d);
-          return place;
-        };
-        const Minimum least =
-            minimum_in_box([&](const Eigen::VectorXd& at) { return objective(whole(at)); },
-                           Eigen::VectorXd::Zero(dimensions - 1), Eigen::VectorXd::Ones(dimensions - 1), 100);
-        best = {whole(least.at), least.value};
-      }
-      all[static_cast<std::size_t>(d)].push_back({lower[d], best.value, best.at});
-    }
+  std::vector<std::vector<ProfilePoint>> all;
+  for (Eigen::Index d = 0; d < dimensions; ++d) {
+    std::vector<ProfilePoint> along;
+    for (int k = 0; k < count; ++k)
+      along.push_back(least_in_box({objective, d, static_cast<double>(k) / (count - 1)}, dimensions));
+    if (dimensions > kFewOthers + 1) go_down_from_neighbours(objective, d, along);
+    all.push_back(std::move(along));
+  }
   return all;
 }
 

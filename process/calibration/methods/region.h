@@ -16,7 +16,7 @@ namespace diefill::process::calibration {
 using LogLikelihood = LogDensity;
 
 struct Region {
-  Eigen::MatrixXd samples;  ///< in the unit cube, one a row, in random order: every k-th stand for all
+  Eigen::MatrixXd samples;  ///< in the unit cube, one per row, in random order: every k-th stand for all
   Eigen::VectorXd log;      ///< log-likelihood of each
   Eigen::VectorXd best;     ///< where the likelihood is largest
   double best_log = 0;

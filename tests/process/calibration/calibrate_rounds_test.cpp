@@ -1,6 +1,8 @@
 // Calibrations from start to check, with made-up runs: what they say at their end.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <set>
@@ -80,6 +82,36 @@ TEST_F(MadeUpRounds, TakeSeedsThatNoOtherSetOfParametersHas) {
   for (const auto& job : jobs) seeds.insert(job.seed);
   EXPECT_EQ(jobs.size(), 12U);  // six sets of parameters
   EXPECT_EQ(seeds.size(), jobs.size());
+}
+
+TEST_F(MadeUpRounds, TakeAsManyPointsAsAreLeftWhereARoundHasMore) {
+  made_up_.plan.points_at_once = 20;
+  made_up_.plan.most_points = 9;
+  // A wave that so few runs do not tell: there is always more to run.
+  made_up_.plan.measurements[0].simulated = [](const std::vector<FinishedRun>& runs) {
+    return std::vector{10 * friction_of(runs.front()) + 3 * std::sin(60 * friction_of(runs.front()))};
+  };
+  run_all();
+  const auto account = collected();
+  EXPECT_EQ(account.stopped, "the search reached its most points (9)");
+  EXPECT_EQ(std::count_if(account.points.begin(), account.points.end(),
+                          [](const auto& point) { return point.role == "start" || point.role == "search"; }),
+            9);
+}
+
+TEST_F(MadeUpRounds, CheckOfFourParametersAtSetsEnoughForTheWorthOfAMeasurement) {
+  auto& parameters = made_up_.plan.parameters;
+  parameters.push_back({"powder.work_of_adhesion", "J/m^2", 0.001, 0.02, false});
+  parameters.push_back({"powder.damping_over_radius", "Pa s/m", 3e5, 1.5e6, false});
+  parameters.push_back({"walls.friction", "1", 0.1, 0.3, false});
+  made_up_.plan.most_points = made_up_.plan.start_points;
+  run_all();
+  const auto account = collected();
+  EXPECT_EQ(std::count_if(account.points.begin(), account.points.end(),
+                          [](const auto& point) { return point.role == "edge"; }),
+            5);
+  EXPECT_FALSE(has_line(account.remarks, "not estimated"));
+  EXPECT_EQ(account.worth.size(), 2U);
 }
 
 TEST_F(MadeUpRounds, SayWhereTheBudgetLeftNoCheck) {

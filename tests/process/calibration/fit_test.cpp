@@ -135,6 +135,34 @@ TEST(CalibrationWords, ACheckHasAVerdictAndAWorthWhereItWasRunOftenEnough) {
   EXPECT_TRUE(enough.worth[0].name == "die, used to fit" || enough.worth[1].name == "die, used to fit");
 }
 
+/// Friction is fitted, a heap was run for the check: its runs scatter by 3 over seeds, and rise by `slope`
+/// over the range of friction.
+results::Calibration with_heap_of_slope(double slope, int seeds) {
+  MadeUpCalibration made_up;
+  made_up.add("slit", {4}, 0.2);
+  made_up.add("heap", {30}, 0.5, false);
+  SimulatedPoints simulated;
+  for (int k = 0; k < 8; ++k) add_point(simulated, "start", 0.05 + 0.12 * k, {{0.5 + 1.2 * k}, {}});
+  Normal normal(11);
+  for (const double place : {0.4, 0.36, 0.44}) {
+    add_point(simulated, place == 0.4 ? "best" : "edge", place, {{4}, {}});
+    for (int k = 0; k < seeds; ++k)
+      simulated.outcomes.back().values[1].push_back({30 + slope * (place - 0.4) + 3 * normal()});
+  }
+  return calibration_results(made_up.plan, simulated, fit_points(made_up.plan, simulated));
+}
+
+TEST(CalibrationWords, AMeasurementThatChangesByChanceAloneIsNotAdvised) {
+  const auto chance = with_heap_of_slope(0, 4);
+  ASSERT_EQ(chance.worth.size(), 1U);
+  EXPECT_EQ(chance.worth[0].name, "slit, once more");
+  EXPECT_TRUE(
+      has_line(chance.remarks,
+               "what \"heap\" would add to the fit is not estimated: it changes over the powders that "
+               "agree by no more than chance explains (10 %); more seeds would tell"));
+  EXPECT_EQ(with_heap_of_slope(400, 4).worth.size(), 2U);
+}
+
 /// A check that was measured as 10 +- 0.1 g.
 std::string verdict(double simulated, double lower, double upper) {
   results::CalibratedMeasurement row;

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 #include <toml++/toml.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "process/calibration/measurement.h"
+#include "process/calibration/possible_figures.h"
 #include "process/input/scene_error.h"
 #include "tests/process/results_sample.h"
 #include "tests/process/scene_files.h"
@@ -31,6 +33,12 @@ class Measurements : public testing::Test {
     }
     return "no message";
   }
+  /// What a measurement with these lines has of a result.
+  std::vector<double> simulated(const std::string& lines, const results::FillResult& result) const {
+    const toml::table parsed = toml::parse("[[measurement]]\nname = \"a\"\nscene = \"scene.toml\"\n" + lines);
+    TableReader document(parsed, folder_.path() / "calibration.toml", "");
+    return read_measurements(document, {}).at(0).simulated({{"", &result}});
+  }
   void expect(const std::string& lines, const std::string& part, const std::string& csv = "") const {
     const std::string said = message_of(lines, csv);
     EXPECT_NE(said.find(part), std::string::npos) << said;
@@ -43,9 +51,41 @@ class Measurements : public testing::Test {
 TEST_F(Measurements, OfFiguresThatTheSceneHasAreRead) {
   const std::string one = "value = \"0.3\"\ndeviation = \"0.01\"\n";
   for (const char* figure :
-       {"mass_share_in_flange", "solid_fraction_in_flange", "cavity_2_solid_fraction_mean",
-        "cavity_3_mass_share_in_flange", "solid_fraction"})
+       {"mass_share_in_flange", "solid_fraction_in_flange", "cavity_2_solid_fraction_mean", "solid_fraction"})
     EXPECT_EQ(message_of("figure = \"" + std::string(figure) + "\"\n" + one), "no message") << figure;
+  EXPECT_EQ(message_of("figure = \"filled_mass_in_flange_kg\"\nvalue = \"3 g\"\ndeviation = \"1 g\"\n"),
+            "no message");
+}
+
+// Results have zones of the largest cavity alone: no run would have a value.
+TEST_F(Measurements, OfZonesOfFurtherCavitiesAreRefused) {
+  expect(
+      "figure = \"cavity_3_mass_share_in_flange\"\nvalue = \"0.3\"\ndeviation = \"0.01\"\n",
+      "of further cavities there are no figures of zones; allowed: \"mass_share_in_flange\", of the largest");
+}
+
+TEST_F(Measurements, OfFurtherCavitiesAreReadByTheNameThatResultsGiveThem) {
+  results::FillResult result;
+  result.figures = {{"cavity_2_solid_fraction", 0.31}, {"cavity_2_volume_m3", 2e-6}};
+  EXPECT_EQ(
+      simulated("figure = \"cavity_2_solid_fraction_mean\"\nvalue = \"0.3\"\ndeviation = \"0.01\"\n", result),
+      std::vector{0.31});
+  EXPECT_NEAR(simulated("figure = \"cavity_2_cavity_volume_m3\"\nvalue = \"1 cm^3\"\ndeviation = \"1 "
+                        "cm^3\"\n",
+                        result)
+                  .at(0),
+              2, 1e-12);
+}
+
+TEST_F(Measurements, OfAnglesRoundACircleCountTheShorterWay) {
+  results::FillResult result;
+  result.figures["solid_fraction_harmonic_1_azimuth_deg"] = 359;
+  result.figures["solid_fraction_harmonic_2_azimuth_deg"] = 178;
+  const std::string lines = "value = \"2 deg\"\ndeviation = \"1 deg\"\n";
+  EXPECT_NEAR(simulated("figure = \"solid_fraction_harmonic_1_azimuth_deg\"\n" + lines, result).at(0), -1,
+              1e-9);
+  EXPECT_NEAR(simulated("figure = \"solid_fraction_harmonic_2_azimuth_deg\"\n" + lines, result).at(0), -2,
+              1e-9);
 }
 
 TEST_F(Measurements, OfOtherFiguresAreRefusedWithThoseThatThereAre) {
@@ -69,6 +109,15 @@ TEST_F(Measurements, WithImpossibleValuesAreRefused) {
       "kind = \"profile\"\nprofile = \"solid fraction\"\nat = [\"1 mm\"]\nvalues = [\"3\"]\ndeviations = "
       "\"0.1\"\n",
       "found values 3, allowed: 0 to 1");
+}
+
+TEST(PossibleFigures, OfAZoneThatIsCalledAsAnotherFigureAreThoseOfItsDimension) {
+  for (const char* figure : {"filled_mass_in_shared_hub", "filled_mass_in_full_fill_ratio_kg"}) {
+    EXPECT_EQ(possible_values_of_figure(figure, "g").unit, "g") << figure;
+    EXPECT_TRUE(std::isinf(possible_values_of_figure(figure, "g").most)) << figure;
+  }
+  EXPECT_EQ(possible_values_of_figure("mass_share_in_shared_hub", "%").most, 1);
+  EXPECT_EQ(possible_values_of_figure("solid_fraction_in_slope_of_die", "1").most, 1);
 }
 
 TEST_F(Measurements, OfMoreValuesThanAFitCanTakeAreRefused) {

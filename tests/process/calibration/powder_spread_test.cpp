@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
+#include "process/calibration/powder_samples.h"
 #include "process/results/studies/quantiles.h"
 
 namespace diefill::results {
@@ -19,6 +21,22 @@ TEST(PowderSpread, IsANumberOnlyWhereItIsSignificant) {
             "the scatter over seeds");
   figure.powder = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(spread_text(figure), "filled mass 12.1 g: +-unknown g by the powder, +-0.1 g over seeds");
+}
+
+TEST(PowderSpread, OfAnglesCountsRoundTheCircle) {
+  const auto spread_of = [](const std::string& key, const std::vector<double>& values) {
+    std::vector<ComparedRun> runs(values.size());
+    for (std::size_t k = 0; k < values.size(); ++k) runs[k].values[key] = values[k];
+    return process::calibration::spread_of({key, key, "deg", {}}, runs, 2);
+  };
+  const SpreadFigure first = spread_of("solid_fraction_harmonic_1_azimuth_deg", {359, 1, 358, 0, 2});
+  EXPECT_NEAR(first.scatter, std::sqrt(2), 1e-9);
+  EXPECT_NEAR(first.spread, 2, 1e-9);
+  EXPECT_NEAR(std::remainder(first.mean, 360), 0, 1e-9);
+  EXPECT_FALSE(first.significant);
+  const SpreadFigure second = spread_of("solid_fraction_harmonic_2_azimuth_deg", {179, 1, 178, 0, 2});
+  EXPECT_NEAR(second.spread, 2, 1e-9);
+  EXPECT_NEAR(spread_of("slope_of_heap_deg", {30, 32, 28, 30, 32}).mean, 30, 1e-9);
 }
 
 TEST(PowderSpread, VarianceRatiosOfChanceAreThoseOfFishersTable) {

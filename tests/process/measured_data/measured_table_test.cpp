@@ -64,6 +64,14 @@ TEST_F(MeasuredCsv, DeviationsStandInTheColumnThatIsCalledSo) {
   EXPECT_EQ(table.deviation.values[0], 0.3);
 }
 
+TEST_F(MeasuredCsv, DeviationsMayBeCalledSoWithCapitals) {
+  for (const char* name : {"Deviation", "Standard Deviation", "STANDARD DEVIATION"}) {
+    const MeasuredTable table = read("Speed [m/s]," + std::string(name) + " [g],Mass [g]\n0.1,0.3,12\n");
+    EXPECT_EQ(table.value.values[0], 12) << name;
+    EXPECT_EQ(table.deviation.values[0], 0.3) << name;
+  }
+}
+
 TEST_F(MeasuredCsv, EachFaultIsNamedInOneLineWithItsLine) {
   EXPECT_EQ(complaint("speed,mass [g],s [g]\n1,2,3\n"),
             "data.csv:1:1: column \"speed\" has no unit; write one after the name, as in \"mass [g]\", or "
@@ -171,11 +179,28 @@ TEST(MeasuredInline, ACurveHasListsAndOneDeviationServesAll) {
   EXPECT_EQ(table.deviation.values, (std::vector<double>{0.5, 0.5}));
 }
 
+TEST(MeasuredInline, AnglesThatASceneIsRunOverAreNoAzimuths) {
+  const std::string lists =
+      "at = [\"0 deg\", \"360 deg\", \"1080 deg\"]\nvalues = [\"0 g\", \"0 g\", \"8 g\"]\ndeviations = \"1 "
+      "g\"\n";
+  const toml::table parsed = toml::parse(lists + "over = \"step.1.angle\"");
+  TableReader reader(parsed, "powder.toml", "measurement");
+  EXPECT_EQ(read_measured(reader, 1).size(), 3U);
+  EXPECT_NE(inline_complaint(lists, 1).find("azimuths count modulo 360 deg"), std::string::npos);
+}
+
 TEST(MeasuredInline, FaultsAreNamed) {
   EXPECT_NE(inline_complaint("value = \"12\"\ndeviation = \"1 g\"", 0).find("does not have the dimension of"),
             std::string::npos);
   EXPECT_NE(inline_complaint("value = \"12 g\"", 0).find("deviation"), std::string::npos);
-  EXPECT_NE(inline_complaint("value = \"12 g\"\ndeviation = \"0 g\"", 0).find("allowed: more than 0"),
+  EXPECT_NE(
+      inline_complaint("value = \"12 g\"\ndeviation = \"0 g\"", 0)
+          .find("powder.toml:2:13: measurement.deviation: the standard deviation is 0, allowed: more than 0"),
+      std::string::npos)
+      << inline_complaint("value = \"12 g\"\ndeviation = \"0 g\"", 0);
+  EXPECT_NE(inline_complaint(
+                "at = [\"1 mm\", \"2 mm\"]\nvalues = [\"1 g\", \"2 g\"]\ndeviations = [\"1 g\", \"-1 g\"]", 1)
+                .find("measurement.deviations: point 2: the standard deviation is -1"),
             std::string::npos);
   EXPECT_NE(inline_complaint("at = [\"1 mm\"]\nvalues = [\"1 g\", \"2 g\"]\ndeviations = \"1 g\"", 1)
                 .find("as many entries"),
@@ -185,6 +210,12 @@ TEST(MeasuredInline, FaultsAreNamed) {
   EXPECT_NE(
       inline_complaint("value = \"heavy\"\ndeviation = \"1 g\"", 0).find("does not begin with a number"),
       std::string::npos);
+}
+
+TEST(MeasuredInline, PlacesOutOfOrderAreNamedByTheirKey) {
+  EXPECT_EQ(
+      inline_complaint("at = [\"2 mm\", \"1 mm\"]\nvalues = [\"1 g\", \"2 g\"]\ndeviations = \"1 g\"", 1),
+      "powder.toml:1:6: measurement.at: point 2: 1 follows 2; sort the points in rising order");
 }
 
 TEST(UnitConversion, TakesPlainNumbersPercentAndAngles) {

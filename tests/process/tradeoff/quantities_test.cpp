@@ -86,17 +86,17 @@ TEST(ZoneQuantities, MassesOfASliceArePerLengthOfTheZoneInIt) {
   result.figures["filled_mass_in_hub_kg"] = 4e-4;
   result.figures["mass_share_in_upper"] = 0.5;
   std::string unit;
-  EXPECT_NEAR(value_of(with_zones(0.01), result, "filled_mass_in_upper_kg", &unit), 0.2, 1e-12);
+  EXPECT_NEAR(value_of(with_zones(0.01), result, "filled_mass_in_upper", &unit), 0.2, 1e-12);
   EXPECT_EQ(unit, "g/mm");
-  EXPECT_NEAR(value_of(with_zones(0.01), result, "filled_mass_in_strip_kg"), 0.2, 1e-12);
-  EXPECT_NEAR(value_of(with_zones(0.01), result, "filled_mass_in_hub_kg"), 0.1, 1e-12);
+  EXPECT_NEAR(value_of(with_zones(0.01), result, "filled_mass_in_strip"), 0.2, 1e-12);
+  EXPECT_NEAR(value_of(with_zones(0.01), result, "filled_mass_in_hub"), 0.1, 1e-12);
   EXPECT_EQ(value_of(with_zones(0.01), result, "mass_share_in_upper", &unit), 50);
   EXPECT_EQ(unit, "%");
   // A slice twice as long holds twice as much of the first zone, and as much of the others.
   result.figures["filled_mass_in_upper_kg"] = 4e-3;
-  EXPECT_NEAR(value_of(with_zones(0.02), result, "filled_mass_in_upper_kg"), 0.2, 1e-12);
-  EXPECT_NEAR(value_of(with_zones(0.02), result, "filled_mass_in_strip_kg"), 0.2, 1e-12);
-  EXPECT_NEAR(value_of(with_zones(0.02), result, "filled_mass_in_hub_kg"), 0.1, 1e-12);
+  EXPECT_NEAR(value_of(with_zones(0.02), result, "filled_mass_in_upper"), 0.2, 1e-12);
+  EXPECT_NEAR(value_of(with_zones(0.02), result, "filled_mass_in_strip"), 0.2, 1e-12);
+  EXPECT_NEAR(value_of(with_zones(0.02), result, "filled_mass_in_hub"), 0.1, 1e-12);
 }
 
 TEST(ZoneQuantities, MassesOfAWholePartAreMasses) {
@@ -105,7 +105,7 @@ TEST(ZoneQuantities, MassesOfAWholePartAreMasses) {
   Scene scene = with_zones(0.01);
   scene.numerics.period[1].reset();
   std::string unit;
-  EXPECT_NEAR(value_of(scene, result, "filled_mass_in_upper_kg", &unit), 2, 1e-12);
+  EXPECT_NEAR(value_of(scene, result, "filled_mass_in_upper", &unit), 2, 1e-12);
   EXPECT_EQ(unit, "g");
 }
 
