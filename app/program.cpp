@@ -23,7 +23,7 @@ std::string argument_message(const CLI::Error& error) {
   if (error.get_name() != "ArgumentMismatch") return message;
   if (message.find(": At Most 1 required") != std::string::npos)
     return option + ": found more than one value, allowed: one; give it once";
-  if (message.ends_with(" missing")) return option + ": found no value; write one behind it";
+  if (message.ends_with(" missing")) return option + ": found no value; write one after it";
   return message;
 }
 

@@ -33,7 +33,7 @@ struct CalibrateArguments {
   bool resume = false, screen = false, pdf = false, quiet = false;
 };
 
-/// out/<folder of the file>_<name of the file>, with _screening behind it for a screening.
+/// out/<folder of the file>_<name of the file>, with _screening after it for a screening.
 std::filesystem::path directory_of(const CalibrateArguments& arguments) {
   for (const std::string& given : {arguments.export_to, arguments.collect_from, arguments.out})
     if (!given.empty()) return given;

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "app/commands/formula_commands.h"
+#include "app/commands/commands.h"
 #include "app/commands/shared_options/scene_choice.h"
 #include "app/exit_code.h"
 #include "app/options/quantities.h"

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "app/backup_notes.h"
+#include "app/commands/commands.h"
 #include "app/commands/film_command.h"
 #include "app/commands/shared_options/view_options.h"
 #include "app/exit_code.h"
@@ -166,7 +167,7 @@ void add_film(CLI::App& program, Action& chosen) {
   command->add_option("--frames-per-second", arguments->frames_a_second, "speed of the film")
       ->check(whole_number(1, 120))
       ->capture_default_str();
-  command->add_option("--jobs", arguments->jobs, "frames drawn at a time (default: one a core)")
+  command->add_option("--jobs", arguments->jobs, "frames drawn at a time (default: one per core)")
       ->check(whole_number(1, 1024));
   command->add_flag("--keep-frames", arguments->keep_frames, "keep the frames as PNG files beside the film");
   add_view_options(*command, arguments->look);

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/backup_notes.h"
-#include "app/commands/formula_commands.h"
+#include "app/commands/commands.h"
 #include "app/exit_code.h"
 #include "app/options/choices.h"
 #include "app/options/output_file.h"
@@ -32,15 +32,12 @@ struct FitArguments {
   bool json = false;
 };
 
-constexpr DischargeLaw kLaws[] = {DischargeLaw::moving_shoe, DischargeLaw::power_law, DischargeLaw::transient,
-                                  DischargeLaw::beverloo_round, DischargeLaw::beverloo_slit};
-
 /// The law of that name; of none, the one that the table is for. Throws process::SceneError.
 DischargeLaw wanted_law(const FitArguments& arguments) {
   if (arguments.law.empty()) return continuum::law_for_table(arguments.file);
   const std::string name = arguments.law == "4.1" ? "5.17" : arguments.law;  // one formula, two numbers
   std::vector<std::string> names = {"4.1"};
-  for (const DischargeLaw law : kLaws) {
+  for (const DischargeLaw law : continuum::discharge_laws()) {
     if (name == continuum::name_of(law)) return law;
     names.push_back(continuum::name_of(law));
   }

@@ -146,7 +146,7 @@ void add_options(CLI::App& command, TradeoffArguments& arguments) {
       .add_option(
           "--target", arguments.targets,
           "NAME=VALUE: compare a quantity (its key in tradeoff.json) with a published value, in the unit of "
-          "tradeoff.csv or with a unit behind it; repeat for more quantities")
+          "tradeoff.csv or with a unit after it; repeat for more quantities")
       ->allow_extra_args(false);
   command.add_option("--reference", arguments.reference,
                      "reference setting (default: the most expensive one that only refines)");

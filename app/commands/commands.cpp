@@ -1,8 +1,5 @@
 #include "app/commands/commands.h"
 
-#include "app/commands/film_command.h"
-#include "app/commands/formula_commands.h"
-
 namespace diefill::app {
 
 void add_commands(CLI::App& program, Action& chosen) {

@@ -1,10 +1,8 @@
-// The command that makes films.
+// A film of a run for other commands, made by `diefill film`.
 #pragma once
 
 #include <filesystem>
 #include <string>
-
-#include "app/commands/commands.h"
 
 namespace diefill::app {
 
@@ -13,7 +11,5 @@ namespace diefill::app {
 /// may have drawn with has threads that forks lack. Throws std::runtime_error with what that program says.
 void make_film(const std::filesystem::path& directory, const std::filesystem::path& film,
                const std::string& colour_by);
-
-void add_film(CLI::App& program, Action& chosen);
 
 }  // namespace diefill::app

@@ -129,7 +129,7 @@ laboratory::LabOutcome perform_into(const fs::path& directory, const laboratory:
   return outcome;
 }
 
-/// DIR/<experiment>/<size>; of another powder with its name behind.
+/// DIR/<experiment>/<size>; of another powder with its name appended.
 fs::path folder_of(const fs::path& all, const std::string& experiment, const LabArguments& arguments) {
   std::string size = arguments.size;
   if (!arguments.powder.empty()) size += "_" + fs::path(arguments.powder).stem().string();

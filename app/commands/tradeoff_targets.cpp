@@ -19,7 +19,7 @@ using results::TradeoffQuantity;
   throw process::SceneError("--target: found \"" + process::one_line(word) + "\", " + why);
 }
 
-/// The number behind the name, with the unit that it may have.
+/// The number after the name, with the unit that it may have.
 process::NumberWithUnit number_in(const std::string& word, std::size_t equals) {
   try {
     return process::number_with_unit(word.substr(equals + 1));

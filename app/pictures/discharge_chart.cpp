@@ -18,18 +18,14 @@ using continuum::DischargePoint;
 constexpr int kLinePoints = 200;
 constexpr double kGrams = 1e3;
 
-bool is_rate(DischargeLaw law) {
-  return law == DischargeLaw::beverloo_round || law == DischargeLaw::beverloo_slit;
-}
-
 /// What runs along x, in the chart's unit: m/s, ms or mm.
 double abscissa(DischargeLaw law, const DischargePoint& point) {
-  if (is_rate(law)) return 1e3 * point.width;
+  if (is_of_rates(law)) return 1e3 * point.width;
   return law == DischargeLaw::transient ? 1e3 * point.time : point.speed;
 }
 
 void set_abscissa(DischargeLaw law, double value, DischargePoint& point) {
-  if (is_rate(law))
+  if (is_of_rates(law))
     point.width = 1e-3 * value;
   else
     (law == DischargeLaw::transient ? point.time : point.speed) =
@@ -127,11 +123,12 @@ void draw_discharge(const std::filesystem::path& png, const continuum::Discharge
   chart.title = title_of(fit.law);
   chart.subtitle = "Law " + continuum::name_of(fit.law) + ": " + numbers_text(fit);
   chart.x.label = x_label(fit.law);
-  chart.y.label = is_rate(fit.law) ? "Rate [g/s]" : "Mass [g]";
+  chart.y.label = continuum::is_of_rates(fit.law) ? "Rate [g/s]" : "Mass [g]";
   chart.note = continuum::formula_of(fit.law) + ". Band: one standard deviation.";
   if (vague(fit)) chart.note += " The curve is better determined than its parameters.";
   std::map<double, std::vector<DischargePoint>> slits;
-  for (const auto& point : fit.used) slits[is_rate(fit.law) ? 0 : point.width].push_back(point);
+  for (const auto& point : fit.used)
+    slits[continuum::is_of_rates(fit.law) ? 0 : point.width].push_back(point);
   for (const auto& [width, points] : slits) {
     const std::string slit =
         slits.size() < 2 ? "" : ", slit of " + results::in_significant_digits(1e3 * width, 3) + " mm";

@@ -18,7 +18,7 @@ std::vector<results::FillResult> of_other_cavities(const results::FillResult& re
                                                    double averaging_width = 0);
 
 /// Writes the standard pictures of `result` into `directory`, and the maps of its further cavities with
-/// "_cavity_2" and so on behind their names; returns their paths.
+/// "_cavity_2" and so on after their names; returns their paths.
 std::vector<std::filesystem::path> draw(const std::filesystem::path& directory,
                                         const results::FillResult& result);
 

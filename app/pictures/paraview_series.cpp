@@ -1,17 +1,15 @@
 #include "app/pictures/paraview_series.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "process/measure/earlier_instant.h"
 #include "process/results/formatted.h"
+#include "process/results/none.h"
 
 namespace diefill::app {
 namespace {
 
 using render::PointArray;
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 PointArray vectors(const std::string& name, const std::vector<Eigen::Vector3d>& values) {
   PointArray array{name, 3, {}};

@@ -32,7 +32,7 @@ std::filesystem::path write_picture(const PictureRequest& request, const std::fi
                                     const QImage& image);
 
 /// Draws one field a source as kind.png, all on one scale and in one style. `planes` has the plane of each
-/// where they are sections, and is empty where they are maps; `words` stand behind the subtitle.
+/// where they are sections, and is empty where they are maps; `words` stand after the subtitle.
 std::vector<std::filesystem::path> write_fields(const PictureRequest& request, const std::string& kind,
                                                 const std::vector<results::Field2D>& fields,
                                                 const std::vector<results::SectionPlane>& planes,

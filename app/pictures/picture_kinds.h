@@ -58,7 +58,7 @@ struct PictureKind {
   std::vector<std::filesystem::path> (*make)(const PictureRequest&);
 };
 
-/// All kinds. To add one: its function, and its line in picture_kinds.cpp.
+/// All kinds. To add one: README.md of this folder.
 const std::vector<PictureKind>& picture_kinds();
 
 /// The kind of this name. Throws process::SceneError, naming the nearest, for any other.

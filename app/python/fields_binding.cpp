@@ -71,7 +71,11 @@ void add_grids(py::module_& module) {
       .def_property_readonly("first", shown(&Field2D::first), "(a,) nodes in first_unit")
       .def_property_readonly("second", shown(&Field2D::second), "(b,) nodes in second_unit")
       .def_property_readonly("values", values_of,
-                             "(b, a): values[j, i] at first[i], second[j]; NaN: no powder");
+                             "(b, a): values[j, i] at first[i], second[j]; NaN: no powder")
+      .def("__repr__", [](const Field2D& field) {
+        return shown_as("Field", "{}, {} x {} nodes", field.quantity, field.first.size(),
+                        field.second.size());
+      });
   py::class_<SectionField>(module, "Section", "A field on a plane, coordinates in mm from its origin.")
       .def_property_readonly(
           "name", [](const SectionField& section) { return section.plane.name; },
@@ -84,7 +88,11 @@ void add_grids(py::module_& module) {
       .def_property_readonly("second_axis", plane_vector(&results::SectionPlane::second_axis),
                              "(3,) unit vector")
       .def_readonly("field", &SectionField::field,
-                    "on the plane, in mm from origin along first_axis and second_axis");
+                    "on the plane, in mm from origin along first_axis and second_axis")
+      .def("__repr__", [](const SectionField& section) {
+        return shown_as("Section", "{}, {} x {} nodes", section.plane.name, section.field.first.size(),
+                        section.field.second.size());
+      });
 }
 
 void add_curves(py::module_& module) {
@@ -94,7 +102,11 @@ void add_curves(py::module_& module) {
       .def_readonly("x_name", &Profile::x_name, "such as \"azimuth\"")
       .def_readonly("x_unit", &Profile::x_unit, "of x")
       .def_property_readonly("x", shown(&Profile::x), "(n,) in x_unit")
-      .def_property_readonly("y", shown(&Profile::y), "(n,) in unit; NaN where nothing was found");
+      .def_property_readonly("y", shown(&Profile::y), "(n,) in unit; NaN where nothing was found")
+      .def("__repr__", [](const Profile& profile) {
+        return shown_as("Profile", "{} over {}, {} points", profile.quantity, profile.x_name,
+                        profile.x.size());
+      });
   py::class_<ProbeSeries>(module, "Probe",
                           "What a probe recorded while the scene ran; probe[column] is one column.")
       .def_readonly("name", &ProbeSeries::name, "in the scene")
@@ -103,7 +115,9 @@ void add_curves(py::module_& module) {
       .def_property_readonly("values", rows_of, "(rows, columns)")
       .def("__getitem__", column_of,
            "(rows,) one column, in its unit. Raises KeyError for an unknown name, TypeError for what is no "
-           "text.");
+           "text.")
+      .def("__repr__",
+           [](const ProbeSeries& probe) { return shown_as("Probe", "{}: {}", probe.name, probe.columns); });
 }
 
 void add_records(py::module_& module) {
@@ -111,7 +125,11 @@ void add_records(py::module_& module) {
       .def_readonly("tool", &Stage::tool, "tool that moved; empty: none")
       .def_readonly("words", &Stage::words, "such as \"1 passage at 0.2 m/s\"")
       .def_readonly("start", &Stage::start, "s since the start of the scene")
-      .def_readonly("end", &Stage::end, "s since the start of the scene");
+      .def_readonly("end", &Stage::end, "s since the start of the scene")
+      .def("__repr__", [](const Stage& stage) {
+        return shown_as("Stage", "{}{}{}, {:g} to {:g} s", stage.tool, stage.tool.empty() ? "" : ": ",
+                        stage.words, stage.start, stage.end);
+      });
   py::class_<ToolCheck>(module, "ToolCheck", "What the check of a tool's mesh and wall spheres found.")
       .def_readonly("tool", &ToolCheck::tool, "its name in the scene")
       .def_readonly("file", &ToolCheck::file, "its CAD file, without folders")
@@ -120,7 +138,10 @@ void add_records(py::module_& module) {
       .def_readonly("mean_deviation", &ToolCheck::mean_deviation,
                     "m, of the wall spheres' envelope from the CAD surface")
       .def_readonly("largest_deviation", &ToolCheck::largest_deviation, "m")
-      .def_readonly("largest_gap", &ToolCheck::largest_gap, "m, between wall spheres");
+      .def_readonly("largest_gap", &ToolCheck::largest_gap, "m, between wall spheres")
+      .def("__repr__", [](const ToolCheck& check) {
+        return shown_as("ToolCheck", "{} ({}): {} findings", check.tool, check.file, check.findings.size());
+      });
 }
 
 void add_tooling(py::module_& module) {
@@ -131,7 +152,11 @@ void add_tooling(py::module_& module) {
       .def_property_readonly("vertices", shown(&ToolState::vertices), "(v, 3) m")
       .def_property_readonly("triangles", shown(&ToolState::triangles),
                              "(t, 3) numbers of vertices, counter-clockwise seen from outside")
-      .def_property_readonly("wall_sphere_centres", shown(&ToolState::wall_sphere_centres), "(w, 3) m");
+      .def_property_readonly("wall_sphere_centres", shown(&ToolState::wall_sphere_centres), "(w, 3) m")
+      .def("__repr__", [](const ToolState& tool) {
+        return shown_as("Tool", "{} ({}): {} triangles, {} wall spheres", tool.name, tool.role,
+                        tool.triangles.size(), tool.wall_sphere_centres.size());
+      });
   py::class_<CavityState>(module, "Cavity", "Where the powder is collected.")
       .def_readonly("is_ring", &CavityState::is_ring, "whether a core stands in its middle")
       .def_readonly("inner_radius", &CavityState::inner_radius, "m, of rings")
@@ -143,7 +168,12 @@ void add_tooling(py::module_& module) {
       .def_property_readonly("lower_corner", vector_of(&CavityState::lower_corner),
                              "(3,) m, of the box around the cavity")
       .def_property_readonly("upper_corner", vector_of(&CavityState::upper_corner),
-                             "(3,) m, of the box around the cavity; its z is the fill plane");
+                             "(3,) m, of the box around the cavity; its z is the fill plane")
+      .def("__repr__", [](const CavityState& cavity) {
+        constexpr double kCubicMillimetres = 1e9;
+        return shown_as("Cavity", "{}, {:g} mm^3", cavity.is_ring ? "ring" : "without a core",
+                        kCubicMillimetres * cavity.volume);
+      });
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ auto shown_flags(std::vector<std::uint8_t> Owner::*member) {
   return [member](const py::object& self) { return flags_of(self.cast<const Owner&>().*member, self); };
 }
 
-/// One number a grain, computed.
+/// One number per grain, computed.
 template <class Value>
 py::array_t<double> of_each_grain(const PowderState& powder, const Value& value) {
   py::array_t<double> array(static_cast<py::ssize_t>(powder.id.size()));
@@ -60,7 +60,10 @@ void add_powder(py::module_& module) {
           },
           "(n,) kg, a copy")
       .def(
-          "__len__", [](const PowderState& powder) { return powder.id.size(); }, "Number of grains.");
+          "__len__", [](const PowderState& powder) { return powder.id.size(); }, "Number of grains.")
+      .def("__repr__", [](const PowderState& powder) {
+        return shown_as("Powder", "{} grains at {:g} s", powder.id.size(), powder.time);
+      });
 }
 
 void add_summary(py::module_& module) {
@@ -73,7 +76,11 @@ void add_summary(py::module_& module) {
       .def_readonly("min", &SolidFractionSummary::min, "of the grains' values")
       .def_readonly("max", &SolidFractionSummary::max, "of the grains' values")
       .def_readonly("cv", &SolidFractionSummary::cv, "std over arithmetic_mean")
-      .def_readonly("grains", &SolidFractionSummary::grains, "grains counted");
+      .def_readonly("grains", &SolidFractionSummary::grains, "grains counted")
+      .def("__repr__", [](const SolidFractionSummary& summary) {
+        return shown_as("Summary", "solid fraction {:.4f}, cv {:.3f}, {} grains", summary.mean, summary.cv,
+                        summary.grains);
+      });
 }
 
 }  // namespace
@@ -88,12 +95,18 @@ void add_grains(py::module_& module) {
       .def_property_readonly("open", shown_flags(&GrainSolidFraction::open),
                              "(n,) true where the cell reaches a free surface: its values mean nothing")
       .def_property_readonly("in_cavity", shown_flags(&GrainSolidFraction::in_cavity),
-                             "(n,) true where the grain's centre lies in the cavity");
+                             "(n,) true where the grain's centre lies in the cavity")
+      .def("__repr__", [](const GrainSolidFraction& measure) {
+        return shown_as("SolidFraction", "{} grains", measure.solid_fraction.size());
+      });
   py::class_<ContactStress>(module, "ContactStress",
                             "Stress times volume that contacts carried through every grain (Bierwisch 2009, "
                             "Eq. 3.8), compression negative; over cell_volume it is a stress in Pa.")
       .def_property_readonly("normal", shown(&ContactStress::normal), "(n, 3) J: xx, yy, zz")
-      .def_property_readonly("shear", shown(&ContactStress::shear), "(n, 3) J: yz, xz, xy");
+      .def_property_readonly("shear", shown(&ContactStress::shear), "(n, 3) J: yz, xz, xy")
+      .def("__repr__", [](const ContactStress& stress) {
+        return shown_as("ContactStress", "{} grains", stress.normal.size());
+      });
   py::class_<Instant>(module, "Instant", "Powder and places of the tools at an earlier time of the run.")
       .def_readonly("time", &Instant::time, "s since the start of the scene")
       .def_property_readonly("id", shown(&Instant::id), "(n,) identity of the grain")
@@ -108,7 +121,10 @@ void add_grains(py::module_& module) {
       .def_property_readonly("tool_displacement", shown(&Instant::tool_displacement),
                              "(tools, 3) m, added after turning about the origin")
       .def(
-          "__len__", [](const Instant& instant) { return instant.id.size(); }, "Number of grains.");
+          "__len__", [](const Instant& instant) { return instant.id.size(); }, "Number of grains.")
+      .def("__repr__", [](const Instant& instant) {
+        return shown_as("Instant", "{} grains at {:g} s", instant.id.size(), instant.time);
+      });
 }
 
 }  // namespace diefill::python

@@ -5,6 +5,12 @@
 
 namespace diefill::python {
 
+/// How an object shows itself in a Python session: "<diefill.NAME words>", `words` as str.format takes them.
+template <class... Values>
+pybind11::str shown_as(const char* name, const char* words, const Values&... values) {
+  return pybind11::str("<diefill.{} {}>").format(name, pybind11::str(words).format(values...));
+}
+
 /// Powder, solid fraction with its summary, contact stress and instants: arrays over grains.
 void add_grains(pybind11::module_& module);
 /// Maps, sections, profiles, probes, stages, tools with their checks, and the cavity.

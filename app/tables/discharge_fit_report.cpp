@@ -29,10 +29,6 @@ double deviation(const continuum::DischargeFit& fit, std::size_t k) {
   return std::sqrt(std::max(0.0, fit.fit.covariance(i, i)));
 }
 
-bool is_rate(continuum::DischargeLaw law) {
-  return law == continuum::DischargeLaw::beverloo_round || law == continuum::DischargeLaw::beverloo_slit;
-}
-
 /// Grain diameters that an opening counts less: k where it is fitted.
 double annulus_of(const continuum::DischargeFit& fit) {
   const bool fitted = std::find(fit.names.begin(), fit.names.end(), "k") != fit.names.end();
@@ -46,7 +42,7 @@ struct UsualFactor {
 };
 
 UsualFactor usual_factor(const continuum::DischargeFit& fit) {
-  if (is_rate(fit.law)) return {"C", 0.1, 3};
+  if (is_of_rates(fit.law)) return {"C", 0.1, 3};
   return fit.law == continuum::DischargeLaw::power_law ? UsualFactor{"C_S", 0.01, 10}
                                                        : UsualFactor{"C_F", 0.05, 20};
 }
@@ -65,7 +61,8 @@ std::string unit_remark(const continuum::DischargeFit& fit) {
   return name + (" = " + results::in_significant_digits(factor, 3)) +
          " is outside the range known for powders, " + process::number_text(least) + " to " +
          process::number_text(most) + ": check the units of density, " +
-         (is_rate(fit.law) ? "rate" : "mass") + " and width, in the heading of the table and in the options";
+         (is_of_rates(fit.law) ? "rate" : "mass") +
+         " and width, in the heading of the table and in the options";
 }
 
 /// Whether the mass rises in the last fifth of the time by less than a quarter of its mean rate.
@@ -113,9 +110,9 @@ std::vector<std::string> remarks(const continuum::DischargeFit& fit) {
                     "earlier than sqrt(D/g)/5)");
   if (fit.fit.shape_at_bound)
     lines.push_back(
-        fit.names.back() +
-        " is at the limit of the search range: the points do not show how the flow comes to its steady "
-        "rate; the fit holds where it was measured and not beyond");
+        fit.names.back() + " is at the limit of the search range: the points do not show how the flow " +
+        (is_of_rates(fit.law) ? "depends on the size of the opening" : "comes to its steady rate") +
+        "; the fit holds where it was measured and not beyond");
   for (std::size_t k = 0; k < fit.names.size(); ++k)
     if (const double share = deviation(fit, k) / std::abs(fit.fit.numbers[static_cast<Eigen::Index>(k)]);
         share > kVague)
@@ -172,7 +169,7 @@ Json fit_as_json(const continuum::DischargeFit& fit, const continuum::DischargeD
       row.push_back(results::json_number(fit.fit.covariance(i, j)));
     json["covariance"].push_back(row);
   }
-  if (!is_rate(fit.law)) json["largest_x"] = fit.largest_x;
+  if (!is_of_rates(fit.law)) json["largest_x"] = fit.largest_x;
   json["remarks"] = remarks(fit);
   json["doubts"] = doubts(fit);
   json["holds_beyond_largest_x"] = !fit.fit.shape_at_bound;
@@ -180,7 +177,7 @@ Json fit_as_json(const continuum::DischargeFit& fit, const continuum::DischargeD
 }
 
 std::string fit_as_csv(const continuum::DischargeFit& fit, const continuum::DischargeData&) {
-  const std::string unit = is_rate(fit.law) ? "kg/s" : "kg";
+  const std::string unit = is_of_rates(fit.law) ? "kg/s" : "kg";
   std::string text =
       "speed m/s,time s,width m,measured " + unit + ",fitted " + unit + ",deviation of fit " + unit + "\n";
   for (std::size_t k = 0; k < fit.used.size(); ++k) {

@@ -49,10 +49,10 @@ struct ContactBatch {
   ContactsInParts<Law::kByParts ? kLanes : 1> parts;
   Vectors torque;  ///< N m on i besides that of the force; for laws by parts
 
-  /// Which pair of kinds a lane is; only set where grains are not all alike.
+  /// Number of the lane's pair of sphere classes; only set where there are several.
   std::uint32_t classes[kLanes + kLaneGroup];
 
-  /// Calls change(memory) with what the pair of a lane remembers.
+  /// Calls change(history) with the contact history of a lane.
   template <class Change>
   void change_history(std::size_t lane, const Change& change) {
     double numbers[kHistory + 1];

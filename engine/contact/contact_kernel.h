@@ -14,13 +14,13 @@ namespace diefill::engine {
 
 /// Reads a pair's contact history into `lane` of the batch; that of a new contact is zero.
 template <class Law>
-void recall(const double* history, ContactBatch<Law>& batch, std::size_t lane) {
+void load_history(const double* history, ContactBatch<Law>& batch, std::size_t lane) {
   for (std::size_t k = 0; k < ContactBatch<Law>::kHistory; ++k) batch.history[k][lane] = history[k];
 }
 
 /// Writes it back.
 template <class Law>
-void remember(const ContactBatch<Law>& batch, std::size_t lane, double* history) {
+void store_history(const ContactBatch<Law>& batch, std::size_t lane, double* history) {
   for (std::size_t k = 0; k < ContactBatch<Law>::kHistory; ++k) history[k] = batch.history[k][lane];
 }
 
@@ -61,8 +61,8 @@ class BatchTally {
   }
   double deepest() const { return deepest_.max(); }
   double deepest_over_radius() const { return deepest_over_radius_; }
-  /// Books the work of one step of `time_step` (s).
-  void book(double time_step, BlockTally& tally) const {
+  /// Adds the pairs and their work in one step of `time_step` (s).
+  void add_to(BlockTally& tally, double time_step) const {
     tally.viscous_work += viscous_power_.total() * time_step;
     tally.tangential_work += friction_power_.total() * time_step;
     tally.rolling_work += rolling_power_.total() * time_step;
@@ -102,8 +102,7 @@ template <class Use>
 auto with_law(const ContactParameters& parameters, LeverArm arm, bool clumps, SpringLimit limit,
               const Use& use) {
   const auto of = [&]<class Law>(std::type_identity<Law> law) {
-    return with_arm(arm, clumps,
-                    [&](auto constant, auto is_composed) { return use(law, constant, is_composed); });
+    return with_arm(arm, clumps, [&](auto constant, auto clumped) { return use(law, constant, clumped); });
   };
   const auto with_friction = [&]<class Cohesion>(std::type_identity<Cohesion>) {
     if (parameters.friction == 0)

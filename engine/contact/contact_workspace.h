@@ -15,7 +15,7 @@ struct ContactWorkspace {
   /// Of the block's pairs, one for each of Block::sums; all 0 between blocks.
   std::vector<ContactSum> sums;
   std::vector<TouchingPair> touching;    ///< pairs of grains
-  std::vector<double> remembered;        ///< by pairs of grains after the step
+  std::vector<double> next_history;      ///< of pairs of grains after the step
   std::vector<WallTouch> wall_touching;  ///< pairs with one body
   MeshWorkspace mesh;
 };

@@ -1,5 +1,5 @@
-// Contacts on their way through the parts of a law, one lane each, so that every part can act on many of them
-// before the next one does.
+// Contacts between the parts of a law, one lane each: every part acts on many of them before the next one
+// does.
 #pragma once
 
 #include "engine/laws/composed_law.h"
@@ -64,9 +64,9 @@ namespace laws {
 class GeneralContactLaw;
 }
 
-/// Forces and couples of all lanes by the law that each names, parts one after the other over all lanes. In:
-/// overlap, normal, velocity where surfaces touch, relative spin and memory; out: force, torque, load, powers
-/// and memory, with the bits of GeneralContactLaw::react().
+/// Forces and torques of all lanes by the law that each names, parts one after the other over all lanes. In:
+/// overlap, normal, velocity where surfaces touch, relative spin and history; out: force, torque, load,
+/// powers and history, with the bits of GeneralContactLaw::react().
 void react_by_parts(ContactBatch<laws::GeneralContactLaw>& batch, InstructionSet instructions,
                     double time_step);
 

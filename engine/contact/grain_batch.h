@@ -33,7 +33,7 @@ struct GrainBatch : ContactBatch<Law> {
 
   /// Fills the lanes of separations.
   template <bool kWide>
-  void spread_separations(const LocalSpheres& spheres) {
+  void fill_separations(const LocalSpheres& spheres) {
     for_lanes<kWide>([&](std::size_t k, auto several) {
       if constexpr (several) {
         Records apart;
@@ -46,9 +46,9 @@ struct GrainBatch : ContactBatch<Law> {
     });
   }
 
-  /// Fills the lanes of what the pairs remember in `table`.
+  /// Fills the lanes of contact history from `table`.
   template <bool kWide>
-  void spread_history(const GrainPairTable& table) {
+  void fill_history(const GrainPairTable& table) {
     for_lanes<kWide && kHistoryInRecord>([&](std::size_t k, auto several) {
       if constexpr (several) {
         Records numbers;
@@ -57,15 +57,15 @@ struct GrainBatch : ContactBatch<Law> {
         numbers.transpose();
         for (std::size_t n = 0; n < kHistory; ++n) numbers.to_lanes(n, &this->history[n][k]);
       } else {
-        const double* remembered = table.history_at(pair[k].history);
-        for (std::size_t n = 0; n < kHistory; ++n) this->history[n][k] = remembered[n];
+        const double* stored = table.history_at(pair[k].history);
+        for (std::size_t n = 0; n < kHistory; ++n) this->history[n][k] = stored[n];
       }
     });
   }
 
   /// Fills the lanes of motions: velocities are subtracted, spins added and, where `kRelative`, subtracted.
   template <bool kWide, bool kClumps, bool kRelative>
-  void spread_motion(const Block& block, const LocalSpheres& spheres) {
+  void fill_motion(const Block& block, const LocalSpheres& spheres) {
     const auto own = [&](std::size_t lane) { return block.slot_of<kClumps>(pair[lane].pair.own); };
     const auto other = [&](std::size_t lane) { return block.slot_of<kClumps>(pair[lane].pair.other); };
     for_lanes<kWide>([&](std::size_t k, auto several) {
@@ -94,21 +94,21 @@ struct GrainBatch : ContactBatch<Law> {
     });
   }
 
-  /// Writes what the pairs remember to `remembered`, one pair after the other. Up to three numbers behind the
-  /// last are overwritten as well.
+  /// Writes the pairs' histories to `next`, one after the other. Up to three numbers after the last are
+  /// overwritten as well.
   template <bool kWide>
-  void write_history(double* remembered) const {
+  void write_history(double* next) const {
     if constexpr (kWide && kHistoryInRecord)
       in_groups([&](std::size_t k, auto pairs) {
         Records numbers{};
         for (std::size_t n = 0; n < kHistory; ++n) numbers.from_lanes(n, this->history[n].value + k);
         numbers.transpose();
         for (std::size_t lane = 0; lane < pairs; ++lane)
-          store(numbers.row[lane], remembered + (k + lane) * kHistory);
+          store(numbers.row[lane], next + (k + lane) * kHistory);
       });
     else
       for (std::size_t lane = 0; lane < count; ++lane)
-        for (std::size_t n = 0; n < kHistory; ++n) remembered[lane * kHistory + n] = this->history[n][lane];
+        for (std::size_t n = 0; n < kHistory; ++n) next[lane * kHistory + n] = this->history[n][lane];
   }
 
   /// A reaction in the two halves of a ContactSum: force and rolling load, moment.

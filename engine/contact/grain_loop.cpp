@@ -39,7 +39,7 @@ inline void list_touching(const GrainPair* near, Touches touches, std::uint32_t 
     touching[std::popcount(touches.now & up_to_lowest(begun)) - 1].history = GrainPairTable::kNothing;
 }
 
-/// Pairs between grains. `Pairs`: which law acts between which. `kComposed`: several spheres a grain, moments
+/// Pairs between grains. `Pairs`: which law acts between which. `kClumps`: several spheres per grain, moments
 /// about the block's reference point.
 template <class Pairs, LeverArm kArm, bool kClumps>
 class GrainLoop final : public PairLoop {
@@ -48,8 +48,8 @@ class GrainLoop final : public PairLoop {
 
   void add_forces(Block& block, const ContactScene& scene, ContactWorkspace& workspace,
                   BlockTally& tally) const override {
-    // Contacts begin and end: what pairs remember is written again in every step, closely packed.
-    std::vector<double>& remembered = workspace.remembered;
+    // Contacts begin and end: histories are written again in every step, closely packed.
+    std::vector<double>& next_history = workspace.next_history;
     std::vector<TouchingPair>& touching = workspace.touching;
     GrainPairTable& table = block.grain_pairs;
     touching.resize(table.size());
@@ -57,26 +57,26 @@ class GrainLoop final : public PairLoop {
     with_width(scene.instructions, [&](auto wide) {
       count = find_touching<decltype(wide)::value>(block, scene.spheres, touching.data());
     });
-    table.make_room_to_remember(remembered, count);
+    table.make_room_for_history(next_history, count);
     Batch batch;
     BatchTally<Law> batches;
     for (std::size_t done = 0; done < count; done += batch.count) {
       batch.count = std::min(count - done, Batch::kLanes);
       std::copy_n(touching.data() + done, batch.count, batch.pair);
-      double* history = remembered.data() + (done + 1) * table.width;
+      double* history = next_history.data() + (done + 1) * table.width;
       with_width(scene.instructions, [&](auto wide) {
         constexpr bool kWide = decltype(wide)::value;
         pack<kWide>(block, scene.spheres, batch);
         react_all(batch, scene.instructions, scene.time_step);
-        hand_out<kWide>(batch, block, workspace.sums);
+        add_reactions<kWide>(batch, block, workspace.sums);
         batch.template write_history<kWide>(history);
         batches.add(batch);
       });
       if constexpr (!Pairs::kMonodisperse)
         batches.add_over_radius(batch, [&](std::size_t lane) { return smaller_radius(batch.classes[lane]); });
     }
-    table.keep(remembered);
-    batches.book(scene.time_step, tally);
+    table.keep_history(next_history);
+    batches.add_to(tally, scene.time_step);
     tally.overlap.grains = std::max(tally.overlap.grains, batches.deepest());
     const double over_radius =
         Pairs::kMonodisperse ? batches.deepest() / smaller_radius(0) : batches.deepest_over_radius();
@@ -131,9 +131,9 @@ class GrainLoop final : public PairLoop {
   void clear_changed_history(Block& block, const std::vector<HistoryLayout>& next) const override {
     const auto before = history_layouts();
     GrainPairTable& table = block.grain_pairs;
-    table.change_touching([&](std::size_t p, double* remembered) {
+    table.change_touching([&](std::size_t p, double* history) {
       const std::size_t law = pairs_.law_number(block, table.pair[p]);
-      clear_changed(remembered, before[law], next[law]);
+      clear_changed(history, before[law], next[law]);
     });
   }
   bool rolls() const override { return kRolls && pairs_.rolls(); }
@@ -156,8 +156,8 @@ class GrainLoop final : public PairLoop {
     return Pairs::kMonodisperse ? 0 : batch.classes[lane];
   }
   /// m, of the pair's two spheres.
-  double smaller_radius(std::uint32_t kinds) const {
-    const PairReach reach = pairs_.of(kinds).reach;
+  double smaller_radius(std::uint32_t classes) const {
+    const PairReach reach = pairs_.of(classes).reach;
     return Pairs::kMonodisperse ? reach.radius : std::min(reach.radius, reach.contact - reach.radius);
   }
 
@@ -180,7 +180,7 @@ class GrainLoop final : public PairLoop {
       prefetch<kTested>(first, table.pair, table.touching);
       const Touches touches = test_some<kWide>(block, spheres, near, how_many, table.touching.data() + first);
       list_touching(near, touches, before, touching + count);
-      // Batches are too short for the processor to see that what pairs remember is read in a row.
+      // Batches are too short for the processor to see that histories are read in a row.
       table.fetch_history(before + 1, static_cast<std::size_t>(std::popcount(touches.last)));
       count += static_cast<std::size_t>(std::popcount(touches.now));
       before += static_cast<std::uint32_t>(std::popcount(touches.last));
@@ -242,9 +242,9 @@ class GrainLoop final : public PairLoop {
     if constexpr (!Pairs::kMonodisperse)
       for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane)
         batch.classes[lane] = pairs_.classes(block, batch.pair[lane].pair);
-    batch.template spread_separations<kWide>(spheres);
-    batch.template spread_history<kWide>(block.grain_pairs);
-    batch.template spread_motion<kWide, kClumps, kClumps || (kTurns && Law::kRolls)>(block, spheres);
+    batch.template fill_separations<kWide>(spheres);
+    batch.template fill_history<kWide>(block.grain_pairs);
+    batch.template fill_motion<kWide, kClumps, kClumps || (kTurns && Law::kRolls)>(block, spheres);
     if constexpr (kClumps)
       for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane)
         batch.place.set(lane, spheres.position(batch.pair[lane].pair.own) - plain(block.reference));
@@ -262,7 +262,7 @@ class GrainLoop final : public PairLoop {
 
   /// Adds the batch's forces to `sums`.
   template <bool kWide>
-  void hand_out(Batch& batch, const Block& block, std::vector<ContactSum>& sums) const {
+  void add_reactions(Batch& batch, const Block& block, std::vector<ContactSum>& sums) const {
     const double rolling = rolling_factor(batch);
     constexpr double kTurn = kClumps && !kOtherDiffers ? -1 : 1;
     if constexpr (kWide) {

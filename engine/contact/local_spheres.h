@@ -80,7 +80,7 @@ class LocalSpheres {
   void take_single(const Block& block, const SphereField& spheres) {
     const std::size_t own = block.own_spheres(), partners = block.partners.size();
     if (motion_.size() < own + partners) motion_.resize(own + partners);
-    // Vectors are read together with the number behind them, which the very last ones do not have.
+    // Vectors are read together with the number after them, which the very last ones do not have.
     const std::size_t last = spheres.real() - 1;
     const auto put_sphere = [&](std::size_t k, std::size_t sphere) {
       if (sphere < last) {
@@ -182,8 +182,7 @@ class LocalSpheres {
     drop_last(numbers);
     store(numbers, to);
   }
-  /// The same for a velocity or spin, the number behind which may be that of a grain that another thread
-  /// moves.
+  /// The same for a velocity or spin: the number after it may be that of a grain that another thread moves.
   template <OtherBlocks kOthers>
   static void copy_motion(const double* from, double* to) {
     if constexpr (kOthers == OtherBlocks::wait) return copy_three(from, to);

@@ -45,7 +45,7 @@ struct DeepestOnMesh {
 /// Appends the pairs that touch, sphere after sphere. A function of places alone.
 DeepestOnMesh find_mesh_touches(const MeshPairs& near, MeshWorkspace& workspace,
                                 std::vector<WallTouch>& touches);
-/// The same, and notes in `table`, the block's, which pairs touch now and what new ones remember.
+/// The same, and notes in `table`, the block's, which pairs touch now and the history of new ones.
 DeepestOnMesh update_mesh_touches(PairTable<WallPair>& table, const MeshPairs& near, MeshWorkspace& workspace,
                                   std::vector<WallTouch>& touches);
 

@@ -26,7 +26,7 @@ struct BlockTally {
   double drag_work = 0;        ///< J, done by air (negative)
   double rolling_work = 0;     ///< J, done by rolling friction (negative)
   DeepestOverlap overlap;      ///< m
-  bool list_is_old = false;    ///< a grain has moved farther than the list of near pairs allows
+  bool list_is_old = false;    ///< a grain has moved farther than the neighbour list allows
   std::uint64_t touching = 0;  ///< pairs
   /// s, of computing the block's pairs and of finishing what was ready then; where the two take turns.
   double computing_time = 0, finishing_time = 0;
@@ -59,7 +59,7 @@ class PairLoop {
  public:
   virtual ~PairLoop() = default;
   /// Adds the forces of the block's touching pairs to the sums of `workspace`, which is the calling thread's
-  /// own, and advances what pairs remember.
+  /// own, and advances their histories.
   virtual void add_forces(Block& block, const ContactScene& scene, ContactWorkspace& workspace,
                           BlockTally& tally) const = 0;
   /// Visits the forces of the pairs that touched in the last step, in the order of the table, as they stand:
@@ -68,13 +68,12 @@ class PairLoop {
                             const PairForceVisitor& visit) const = 0;
   /// Energy (J) that the normal springs of the block's pairs hold.
   virtual double stored_energy(const Block& block, const ContactScene& scene) const = 0;
-  /// For each number that a pair remembers: what it is multiplied by when the pair is seen from its other
-  /// side.
+  /// For each number of a history: what it is multiplied by when the pair is stored the other way round.
   virtual std::vector<double> history_signs() const = 0;
   /// Of each of the loop's laws, in an order that types and walls give.
   virtual std::vector<HistoryLayout> history_layouts() const = 0;
-  /// Sets to 0 what the block's pairs remember and what means something else by the layouts `next`, which are
-  /// those of a loop for the same types and walls whose pairs remember as many numbers.
+  /// Sets to 0 the numbers of the block's histories that mean something else by the layouts `next`, which are
+  /// those of a loop for the same types and walls with histories of the same length.
   virtual void clear_changed_history(Block& block, const std::vector<HistoryLayout>& next) const = 0;
   /// Whether rolling loads of sums count.
   virtual bool rolls() const = 0;

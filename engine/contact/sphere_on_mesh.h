@@ -79,9 +79,9 @@ class SphereOnMesh {
   double radius_, tolerance_, deepest_ = 0;
 };
 
-/// Notes in `table` which of the near pairs [begin, end), all of `sphere` with its body, touch now. What a
-/// contact remembers follows it from triangle to triangle: one that begins while another of the same sphere
-/// ends, in about the same direction, goes on from there.
+/// Notes in `table` which of the near pairs [begin, end), all of `sphere` with its body, touch now. The
+/// history of a contact follows it from triangle to triangle: one that begins while another of the same
+/// sphere ends, in about the same direction, goes on from there.
 ///
 /// `Table`: PairTable or one like it; part_of(its pair) gives the triangle.
 template <class Table>

@@ -1,11 +1,11 @@
-// A touching pair of grains on its way from the pair table into a batch.
+// A touching pair of grains, as the pair loop lists it between pair table and batch.
 #pragma once
 
 #include "engine/search/pair_table.h"
 
 namespace diefill::engine {
 
-/// A touching pair, and where the table has what it remembered before this step.
+/// A touching pair, and where the table has its history before this step.
 struct TouchingPair {
   GrainPair pair;
   std::uint32_t history;

@@ -11,12 +11,12 @@ namespace diefill::engine {
 
 namespace {
 
-/// Pairs of grains with walls. `kComposed`: several spheres a grain, moments about the block's reference
+/// Pairs of grains with walls. `kClumps`: several spheres per grain, moments about the block's reference
 /// point. `kSeveralClasses`: grains are of more than one type.
 template <class Law, LeverArm kArm, bool kClumps, bool kSeveralClasses = false>
 class WallLoop final : public PairLoop {
  public:
-  /// `laws`: one a class for each body, body after body; `radii`: m, of the classes; `surfaces`: of the
+  /// `laws`: one per class for each body, body after body; `radii`: m, of the classes; `surfaces`: of the
   /// bodies.
   WallLoop(std::vector<Law> laws, std::vector<double> radii, std::vector<WallSurface> surfaces)
       : radii_(std::move(radii)), laws_(std::move(laws)), surfaces_(std::move(surfaces)) {}
@@ -198,13 +198,13 @@ class WallLoop final : public PairLoop {
       batch.fill_last_group();
       with_instructions(scene.instructions, [&] { react_all(batch, body, scene, scene.time_step); });
       for (std::size_t lane = 0; lane < batch.count; ++lane)
-        hand_out(batch, lane, block, body, pairs[lane], scene, workspace.sums, tally);
+        add_reactions(batch, lane, block, body, pairs[lane], scene, workspace.sums, tally);
       batches.add(batch);
       if constexpr (kSeveralClasses)
         batches.add_over_radius(batch, [&](std::size_t lane) { return radii_[batch.classes[lane]]; });
     }
     const double share = own_share(body);
-    batches.book(share * scene.time_step, tally);
+    batches.add_to(tally, share * scene.time_step);
     tally.overlap.walls = std::max(tally.overlap.walls, share * batches.deepest());
     const double over_radius =
         kSeveralClasses ? batches.deepest_over_radius() : batches.deepest() / radii_[0];
@@ -241,7 +241,7 @@ class WallLoop final : public PairLoop {
       if constexpr (Law::kRolls) batch.relative_spin.set(lane, spin - plain(pose.angular_velocity));
     }
     if (mirror(body)) use_motion_against_image(batch, lane);
-    recall(block.wall_pairs.history_of(touch.pair), batch, lane);
+    load_history(block.wall_pairs.history_of(touch.pair), batch, lane);
   }
 
   /// Makes the motion against a plane of symmetry that against the grain's image: it comes as fast from the
@@ -258,8 +258,9 @@ class WallLoop final : public PairLoop {
     }
   }
 
-  void hand_out(const Batch& batch, std::size_t lane, Block& block, std::size_t body, const WallTouch& touch,
-                const ContactScene& scene, std::vector<ContactSum>& sums, BlockTally& tally) const {
+  void add_reactions(const Batch& batch, std::size_t lane, Block& block, std::size_t body,
+                     const WallTouch& touch, const ContactScene& scene, std::vector<ContactSum>& sums,
+                     BlockTally& tally) const {
     const WallPair pair = block.wall_pairs.pair[touch.pair];
     ContactSum& own = sums[block.slot_of<kClumps>(pair.own)];
     const Vector3 force = batch.force[lane];
@@ -267,7 +268,7 @@ class WallLoop final : public PairLoop {
     if constexpr (Lever<kArm>::kTurns) own.add_moment(batch.moment[lane]);
     if constexpr (!kClumps && Lever<kArm>::kTurns)
       own.add_rolling_load(law(body, touch.sphere_class).rolling_friction * batch.load[lane]);
-    remember(batch, lane, block.wall_pairs.history_of(touch.pair));
+    store_history(batch, lane, block.wall_pairs.history_of(touch.pair));
 
     const Vector3 contact =
         scene.spheres.position(pair.own) - contact_share(touch, body, scene) * batch.separation[lane];

@@ -9,7 +9,7 @@ namespace diefill::engine {
 
 namespace {
 
-/// m, that a list of near pairs allows images of a sheared box to move, beside what skins allow particles.
+/// m, that a neighbour list allows images of a sheared box to move, beside what skins allow particles.
 double shear_margin(const FluidSettings& settings, const ShearedPeriod& period) {
   constexpr double kOfReach = 0.1, kSteps = 6;
   return period.shears() ? std::max(kOfReach * settings.law.reach, kSteps * period.drift(settings.time_step))
@@ -96,7 +96,7 @@ std::size_t FluidSimulation::add_solids(const std::vector<RigidSetSpec>& solids)
   return first;
 }
 
-/// Whether images have moved as far as the list of near pairs allows.
+/// Whether images have moved as far as the neighbour list allows.
 bool FluidSimulation::shear_has_aged_list() const {
   return policy_.period().drift(state_.time - state_.reference.time) > shear_margin_;
 }
@@ -114,7 +114,7 @@ void FluidSimulation::step() {
     now.timers.lap(Phase::search);
   }
   policy_.compute_forces(now);
-  book_step(now);
+  add_up_blocks(now);
   now.timers.lap(Phase::gather);
 }
 

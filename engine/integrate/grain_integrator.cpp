@@ -184,16 +184,16 @@ struct GrainIntegrator::BodyLanes {
   Vector3 turning_drag(std::size_t lane) const { return turning_drag_[lane]; }
 };
 
-GrainIntegrator::GrainIntegrator(const ParticleTypes& kinds, const Eigen::Vector3d& gravity,
+GrainIntegrator::GrainIntegrator(const ParticleTypes& types, const Eigen::Vector3d& gravity,
                                  double air_viscosity, bool rolls, double time_step,
                                  InstructionSet instructions)
-    : rotates_(kinds.rotates()),
-      displacement_per_turn_(kinds.displacement_per_turn()),
+    : rotates_(types.rotates()),
+      displacement_per_turn_(types.displacement_per_turn()),
       time_step_(time_step),
       instructions_(instructions) {
-  for (std::size_t k = 0; k < kinds.size(); ++k)
-    bodies_.push_back(body_of(kinds.shape(static_cast<TypeNumber>(k)), gravity, air_viscosity));
-  if (kinds.clumps()) return;
+  for (std::size_t k = 0; k < types.size(); ++k)
+    bodies_.push_back(body_of(types.shape(static_cast<TypeNumber>(k)), gravity, air_viscosity));
+  if (types.clumps()) return;
   std::vector<SphereIntegrator::Body> spheres;
   for (const Body& body : bodies_) spheres.push_back({body.mass, body.drag, body.inertia.x, body.weight});
   single_.emplace(std::move(spheres), rotates_, rolls, time_step, instructions);

@@ -19,7 +19,7 @@ class GrainIntegrator {
  public:
   /// `air_viscosity` in Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9). `rolls`: whether
   /// contacts' rolling loads count, which they can for single spheres only.
-  GrainIntegrator(const ParticleTypes& kinds, const Eigen::Vector3d& gravity, double air_viscosity,
+  GrainIntegrator(const ParticleTypes& types, const Eigen::Vector3d& gravity, double air_viscosity,
                   bool rolls, double time_step, InstructionSet instructions);
 
   /// Moves grains [begin, end) to the end of the step and places their spheres, with the velocities that the
@@ -54,7 +54,7 @@ class GrainIntegrator {
   StepWork finish_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
                        const ContactSums& contacts, std::size_t first_sum) const;
 
-  std::vector<Body> bodies_;                ///< one a kind
+  std::vector<Body> bodies_;                ///< one a particle type
   std::optional<SphereIntegrator> single_;  ///< where grains are single spheres
   bool rotates_;
   double displacement_per_turn_;  ///< m, that spheres go at most over the change of their grain's quaternion

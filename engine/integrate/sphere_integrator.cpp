@@ -12,7 +12,7 @@ namespace diefill::engine {
 
 namespace {
 
-/// The numbers of vectors that lie one behind the other.
+/// The numbers of vectors that lie one after the other.
 double* numbers(std::vector<Eigen::Vector3d>& vectors) {
   return vectors.data()->data();
 }
@@ -106,7 +106,7 @@ StepWork SphereIntegrator::finish(Grains& grains, std::size_t begin, std::size_t
 }
 
 /// From the velocities that the forces before the step lead to, those that the mean of the forces before and
-/// after it does: contacts (N, three numbers a sphere), air, weight. Returns the power of the air (W).
+/// after it does: contacts (N, three numbers per sphere), air, weight. Returns the power of the air (W).
 double SphereIntegrator::kick(Grains& grains, std::size_t begin, std::size_t end,
                               const double* contact_forces) const {
   double *velocity = numbers(grains.velocity), *force = numbers(grains.force);
@@ -147,7 +147,7 @@ void SphereIntegrator::kick_spin(Grains& grains, std::size_t begin, std::size_t 
 }
 
 /// Slows spins by rolling friction (Bierwisch 2009, Eq. 2.11), which stops a rotation but never reverses it
-/// within a step (OP-9). `loads` in N m, one a sphere. Returns its power (W).
+/// within a step (OP-9). `loads` in N m, one per sphere. Returns its power (W).
 double SphereIntegrator::slow_rolling(Grains& grains, std::size_t begin, std::size_t end,
                                       const double* loads) const {
   double power = 0;

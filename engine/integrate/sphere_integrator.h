@@ -1,4 +1,4 @@
-// Moves single spheres through a time step. Their vectors lie one behind the other in plain arrays, and all
+// Moves single spheres through a time step. Their vectors lie one after the other in plain arrays, and all
 // three components are treated the same, so arrays are processed as they lie: no number has to be moved to a
 // lane.
 #pragma once
@@ -57,7 +57,7 @@ class SphereIntegrator {
   void kick_spin(Grains& grains, std::size_t begin, std::size_t end, const double* contact_moments) const;
   double slow_rolling(Grains& grains, std::size_t begin, std::size_t end, const double* loads) const;
 
-  std::vector<Body> bodies_;  ///< one a kind
+  std::vector<Body> bodies_;  ///< one a particle type
   Factors monodisperse_;      ///< where there is one particle type
   bool rotates_, rolls_;
   double time_step_;

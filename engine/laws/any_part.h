@@ -163,7 +163,7 @@ class AnyPart {
     const auto take = [&](const auto& of_part) {
       for (std::size_t k = 0; k < of_part.size(); ++k) {
         if (signs[k] != 0 && signs[k] != of_part[k])
-          throw std::logic_error("parts of one kind disagree on which of their memory turns its sign");
+          throw std::logic_error("parts of one kind disagree on which entries of their history change sign");
         signs[k] = of_part[k];
       }
     };

@@ -1,5 +1,5 @@
 // The Edinburgh elasto-plastic adhesion law, "EEPA": plastic loading, stiffer unloading and reloading, and an
-// adhesive limb that is deeper the more the contact was flattened (Morrissey 2013; Thakur et al., Granular
+// adhesive branch that is deeper the more the contact was flattened (Morrissey 2013; Thakur et al., Granular
 // Matter 16, 2014, 383).
 #pragma once
 
@@ -19,13 +19,13 @@ enum class EdinburghBranch { hertzian, linear };
 /// With u = h^n, and u_p = (1 - k_1/k_2) h_max^n of the plastic overlap h_p after the deepest one h_max:
 ///   f = -f_0 + k_1 u            first loading,
 ///   f = -f_0 + k_2 (u - u_p)    un- and reloading,
-///   f = -f_0 - k_adh u          adhesive limb, where that is more. It shortens the history so that reloading
-///                               leaves it along k_2, and is left at h = 0 with the pull-off force f_0.
-/// The limb begins at the smallest force -f_min, f_min = 3/2 pi Delta gamma a with a^2 = 2 h_p R_eff - h_p^2:
-/// k_adh = (f_min - f_0) / u_min with u_min = u_p - (f_min - f_0) / k_2. It keeps its k_adh until first
-/// loading goes on. Forms taken here: k_adh is at most k_2, which f_min exceeds for small h_p, and 0 where
-/// f_min is below f_0; the adhesive exponent is n, too. Limit of friction: |f + f_0 + k_adh u|, zero on the
-/// limb.
+///   f = -f_0 - k_adh u          adhesive branch, where that is more. It shortens the history so that
+///                               reloading leaves it along k_2, and is left at h = 0 with the force f_0.
+/// This branch begins at the smallest force -f_min, f_min = 3/2 pi Delta gamma a with a^2 = 2 h_p R_eff -
+/// h_p^2: k_adh = (f_min - f_0) / u_min with u_min = u_p - (f_min - f_0) / k_2. It keeps its k_adh until
+/// first loading goes on. Forms taken here: k_adh is at most k_2, which f_min exceeds for small h_p, and 0
+/// where f_min is below f_0; the adhesive exponent is n, too. Limit of friction: |f + f_0 + k_adh u|, zero on
+/// the adhesive branch.
 struct EdinburghNormal {
   struct Parameters {
     EdinburghBranch branch = EdinburghBranch::hertzian;
@@ -85,13 +85,13 @@ struct EdinburghNormal {
     // First loading is where the line k_2 begins: the lines meet there.
     const bool first = plastic_share * power >= history[0];
     const double plastic = first ? plastic_share * power : history[0];
-    const double limb = first ? limb_stiffness(overlap, plastic) : history[1];
+    const double k_adh = first ? adhesive_slope(overlap, plastic) : history[1];
     const double line = unloading * (power - plastic);
-    const bool on_line = line >= -limb * power;
-    const double elastic = on_line ? line : -limb * power;
-    history[0] = on_line ? plastic : (1 + limb / unloading) * power;
-    history[1] = limb;
-    return {elastic - pull_off, elastic + limb * power};
+    const bool on_line = line >= -k_adh * power;
+    const double elastic = on_line ? line : -k_adh * power;
+    history[0] = on_line ? plastic : (1 + k_adh / unloading) * power;
+    history[1] = k_adh;
+    return {elastic - pull_off, elastic + k_adh * power};
   }
 
   /// Area in J between the un- and reloading line and -f_0, from the present overlap to h_p, and the work of
@@ -111,7 +111,7 @@ struct EdinburghNormal {
 
  private:
   /// k_adh in N/m^n of a contact at its deepest `overlap` (m), of which `plastic` (m^n) will stay.
-  double limb_stiffness(double overlap, double plastic) const {
+  double adhesive_slope(double overlap, double plastic) const {
     const double depth = plastic_depth * overlap;
     const double squared = depth < diameter ? depth * (diameter - depth) : 0;
     const double wanted = adhesion * std::sqrt(squared) - pull_off;

@@ -1,5 +1,5 @@
-// Luding's hysteretic spring: plastic loading, stiffer unloading, a cohesion limb (Luding 2008; Kottlan 2018,
-// Eqs. 3 to 6, with the inverted fraction of Eq. 5 and the branch condition of Eq. 6 corrected).
+// Luding's hysteretic spring: plastic loading, stiffer unloading, a cohesion branch (Luding 2008; Kottlan
+// 2018, Eqs. 3 to 6, with the inverted fraction of Eq. 5 and the branch condition of Eq. 6 corrected).
 #pragma once
 
 #include <cmath>
@@ -10,8 +10,9 @@
 namespace diefill::engine::laws {
 
 /// Three branches: virgin loading k_1 h up to the plastic limit; unloading and reloading along a line of
-/// slope k_2* between k_1 and k_2; the limb -k_c h, which reduces the stored deepest overlap. Nothing is
-/// stored after the spheres separate. Limit: force + k_c h, zero on the limb (Kottlan 2018, Eq. 18).
+/// slope k_2* between k_1 and k_2; the cohesion branch -k_c h, which reduces the stored deepest overlap.
+/// Nothing is stored after the spheres separate. Limit: force + k_c h, zero on that branch (Kottlan 2018, Eq.
+/// 18).
 struct LudingNormal {
   struct Parameters {
     double loading = 100;            ///< N/m, k_1
@@ -30,7 +31,7 @@ struct LudingNormal {
       return {l * loading, l * unloading, l * cohesion, plasticity_depth};
     }
     bool attracts() const { return cohesion > 0; }
-    /// Kottlan 2018 has van der Waals attraction beside the limb.
+    /// Kottlan 2018 has van der Waals attraction beside the cohesion branch.
     bool includes_surface_forces() const { return false; }
     bool damping_in_load() const { return true; }
     double hertzian_modulus() const { return 0; }
@@ -54,9 +55,9 @@ struct LudingNormal {
     const double slope = unloading_slope(deepest);
     const double line = unloading_force(overlap, deepest, slope);
     const bool virgin = deepest < plastic_limit && line >= k1 * overlap;
-    const bool limb = !virgin && line <= -kc * overlap;
-    const double force = virgin ? k1 * overlap : (limb ? -kc * overlap : line);
-    history[0] = limb ? (slope + kc) / (slope - k1) * overlap : deepest;
+    const bool cohesive = !virgin && line <= -kc * overlap;
+    const double force = virgin ? k1 * overlap : (cohesive ? -kc * overlap : line);
+    history[0] = cohesive ? (slope + kc) / (slope - k1) * overlap : deepest;
     return {force, force + kc * overlap};
   }
 

@@ -18,7 +18,7 @@ inline constexpr double kContactsPerGrain = 5;
 
 /// How many times lighter a grain is to a force on its outermost sphere than to one through its centre: 1 +
 /// b^2 m / I for the longest lever arm b; 1 for single spheres that do not rotate or turn under tangential
-/// forces only. A D grain: 2.49 (physics reference, section 4.3).
+/// forces only. A grain of model D: 2.49.
 double mobility(const GrainShape& shape);
 
 /// Overlap (m) of a head-on collision of grains whose spheres of classes i and j meet at relative speed

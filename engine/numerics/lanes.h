@@ -15,7 +15,7 @@ constexpr std::size_t whole_groups(std::size_t count) {
   return (count + kLaneGroup - 1) / kLaneGroup * kLaneGroup;
 }
 
-/// One number a lane.
+/// One number per lane.
 template <std::size_t kCount>
 struct alignas(64) Lanes {
   // One group more than used: arrays at a distance of a power of two

@@ -29,7 +29,7 @@ class LoopShares {
   }
 
   /// `worker` did `taken` of `count` items. One loop counts little: any may have met a busy processor.
-  void remember(std::size_t worker, std::size_t taken, std::size_t count) {
+  void update(std::size_t worker, std::size_t taken, std::size_t count) {
     constexpr double kWeight = 0.05;
     share_[worker] += kWeight * (static_cast<double>(taken) / static_cast<double>(count) - share_[worker]);
   }

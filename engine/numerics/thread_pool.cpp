@@ -95,7 +95,7 @@ class ThreadPool::Team {
     for (std::size_t w = 1; w < count_; ++w)
       while (!awaited([&] { return !members_[w].inside.load(); })) {
       }
-    for (std::size_t w = 0; w < count_; ++w) shares.remember(w, members_[w].taken, count);
+    for (std::size_t w = 0; w < count_; ++w) shares.update(w, members_[w].taken, count);
     if (timed) loops += seconds_since(began);
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
   }

@@ -27,8 +27,8 @@ using TwoInMemory = double __attribute__((vector_size(16), aligned(8), may_alias
 inline void load(Four& numbers, const double* from) {
   numbers = *reinterpret_cast<const FourInMemory*>(from);
 }
-/// numbers = from[0], from[1], from[2], 0, where the number behind must not be read. In two loads: as fast as
-/// one, which three are not.
+/// numbers = from[0], from[1], from[2], 0, where the number after them must not be read. In two loads: as
+/// fast as one, which three are not.
 inline void load_three(Four& numbers, const double* from) {
   const Two first = *reinterpret_cast<const TwoInMemory*>(from);
   numbers = __builtin_shufflevector(first, Two{from[2], 0}, 0, 1, 2, 3);

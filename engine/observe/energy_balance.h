@@ -1,4 +1,4 @@
-// The energy of the powder, held against what was done to it.
+// The energy of the powder, compared with the work done on it.
 #pragma once
 
 #include "engine/simulation/energy_ledger.h"

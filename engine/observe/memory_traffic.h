@@ -5,8 +5,8 @@ namespace diefill::engine {
 
 class Simulation;
 
-/// Bytes that one step reads and writes at least: state of grains and spheres, near pairs and what touching
-/// ones remember, each counted once a pass.
+/// Bytes that one step reads and writes at least: state of grains and spheres, near pairs and contact
+/// history, each counted once a pass.
 double bytes_moved_per_step(const Simulation& simulation);
 
 }  // namespace diefill::engine

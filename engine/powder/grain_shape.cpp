@@ -31,7 +31,7 @@ Eigen::Matrix3d inertia_tensor(const std::vector<Eigen::Vector3d>& offsets, doub
   return tensor;
 }
 
-/// Volume of the union of six unit spheres at +-e over that of one (physics reference 4.1: grid quadrature).
+/// Volume of the union of six unit spheres at +-e over that of one, by quadrature on a grid.
 constexpr double kUnionOfModelC = 4.7926;
 
 GrainShape single_sphere(double radius, double mass, bool rotates) {

@@ -11,7 +11,7 @@ void permute(std::vector<Value>& values, const std::vector<std::uint32_t>& order
   values.swap(sorted);
 }
 
-/// Calls `action` with every array of `grains` that there is for all kinds of them.
+/// Calls `action` with every array of `grains` that all powders have.
 template <class Action>
 void for_each_array(Grains& grains, const Action& action) {
   action(grains.id);

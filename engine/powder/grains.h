@@ -18,7 +18,7 @@ using Quaternion = Eigen::Vector4d;
 /// and changes whenever contacts are searched anew; `id` stays with the grain.
 struct Grains {
   std::vector<std::uint64_t> id;
-  std::vector<std::uint16_t> kind;        ///< number in the table of kinds; empty where there is only one
+  std::vector<std::uint16_t> kind;        ///< number of the particle type; empty where there is only one
   std::vector<Eigen::Vector3d> position;  ///< m, centre of mass, laboratory frame
   std::vector<Eigen::Vector3d> velocity;  ///< m/s
   std::vector<Quaternion> orientation;    ///< of clumped grains; empty for single spheres
@@ -27,7 +27,7 @@ struct Grains {
   std::vector<Eigen::Vector3d> torque;    ///< N m, all torques at the present time, body frame
 
   std::size_t size() const { return id.size(); }
-  /// `clumped`: several spheres a grain, which then have an orientation. `mixed`: there are several kinds.
+  /// `clumps`: several spheres per grain, which then have an orientation. `mixed`: there are several types.
   void resize(std::size_t count, bool clumps, bool mixed);
   std::uint16_t type_of(std::size_t k) const { return kind.empty() ? std::uint16_t{0} : kind[k]; }
   /// Of grain k: a single sphere's body frame is the laboratory's.

@@ -1,4 +1,4 @@
-// A grain that is to come into a simulation.
+// A grain to be added to a simulation.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@ struct NewGrain {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< m/s
   Quaternion orientation = {1, 0, 0, 0};                       ///< (w, x, y, z), body to laboratory
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s, laboratory frame
-  TypeNumber kind = 0;                                         ///< of SimulationSettings::types
+  TypeNumber kind = 0;                                         ///< number in SimulationSettings::types
 };
 
 }  // namespace diefill::engine

@@ -1,4 +1,4 @@
-// A size distribution cut into a number of classes, each of which becomes one kind of grains.
+// A size distribution cut into a number of classes, each of which becomes a particle type.
 #pragma once
 
 #include <cstddef>

@@ -14,7 +14,7 @@ void check_sphere_count(std::size_t spheres) {
   if (spheres > kMostSpheres)
     throw std::length_error(
         "the powder has " + std::to_string(spheres) + " spheres with those of periodic images, of at most " +
-        std::to_string(kMostSpheres) + "; take larger grains, fewer spheres a grain or less powder");
+        std::to_string(kMostSpheres) + "; take larger grains, fewer spheres per grain or less powder");
 }
 
 void SphereField::reorder_motion(const std::vector<std::uint32_t>& order) {

@@ -31,7 +31,7 @@ struct SphereField {
   std::vector<Vector3> spin;      ///< rad/s, of clumped real grains, laboratory frame
   std::vector<GrainImage> images;
   PeriodicBox box;                            ///< beyond whose borders images are seen
-  std::vector<std::uint16_t> kind;            ///< types of grains; empty where there is one
+  std::vector<std::uint16_t> kind;            ///< particle types of grains; empty where there is one
   std::vector<std::vector<Vector3>> offsets;  ///< m, of the spheres of each type, body frame
   /// Where a type has fewer spheres than others, numbers are left over.
   bool equal_counts = true;

@@ -1,4 +1,4 @@
-// The skin: how much wider than touching the list of near pairs is. A wide list lasts longer, a narrow one
+// The skin: how much wider than touching the neighbour list is. A wide list lasts longer, a narrow one
 // holds fewer pairs to test in every step. The skin follows the powder: narrow at rest, wide in motion. A
 // grain that is faster than most may move farther than they before the list is rebuilt, so a few falling
 // grains do not use up the list of all.

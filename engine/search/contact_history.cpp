@@ -30,7 +30,7 @@ std::uint32_t renamed(std::uint32_t sphere, std::uint32_t per_grain,
 }
 
 /// A touching pair by its lasting names.
-struct Remembered {
+struct NamedPair {
   std::uint32_t a, b;
   const double* history;
   const double* sign;
@@ -41,30 +41,29 @@ struct Remembered {
 template <class Visit>
 ContactHistory history_of(const std::vector<Block>& blocks, std::size_t width, std::size_t spheres,
                           ThreadPool& pool, const Visit& visit) {
-  std::vector<std::vector<Remembered>> noted(blocks.size());
+  std::vector<std::vector<NamedPair>> noted(blocks.size());
   pool.for_each(blocks.size(), [&](std::size_t b) {
-    visit(blocks[b], [&](const Remembered& pair) { noted[b].push_back(pair); });
+    visit(blocks[b], [&](const NamedPair& pair) { noted[b].push_back(pair); });
   });
   const auto for_all_by_sphere = [&](const auto& use) {
     in_shares(spheres, static_cast<std::size_t>(pool.threads()), pool, [&](Share share) {
       for (const auto& pairs : noted)
-        for (const Remembered& pair : pairs)
+        for (const NamedPair& pair : pairs)
           if (share.has(pair.a)) use(pair);
     });
   };
   ContactHistory history(width, spheres);
-  for_all_by_sphere([&](const Remembered& pair) { history.reserve_pair(pair.a); });
+  for_all_by_sphere([&](const NamedPair& pair) { history.reserve_pair(pair.a); });
   history.finish_reserving();
-  for_all_by_sphere([&](const Remembered& pair) { history.add(pair.a, pair.b, pair.history, pair.sign); });
+  for_all_by_sphere([&](const NamedPair& pair) { history.add(pair.a, pair.b, pair.history, pair.sign); });
   return history;
 }
 
 }  // namespace
 
-ContactHistory remember_grain_contacts(const std::vector<Block>& blocks, const PairNaming& naming,
-                                       const std::vector<std::uint32_t>& new_place,
-                                       const std::vector<double>& sign, std::size_t spheres,
-                                       ThreadPool& pool) {
+ContactHistory grain_contact_history(const std::vector<Block>& blocks, const PairNaming& naming,
+                                     const std::vector<std::uint32_t>& new_place,
+                                     const std::vector<double>& sign, std::size_t spheres, ThreadPool& pool) {
   const auto per_grain = static_cast<std::uint32_t>(naming.spheres_per_grain);
   return history_of(blocks, sign.size(), spheres, pool, [&](const Block& block, const auto& note) {
     const auto& table = block.grain_pairs;
@@ -78,9 +77,9 @@ ContactHistory remember_grain_contacts(const std::vector<Block>& blocks, const P
   });
 }
 
-ContactHistory remember_wall_contacts(const std::vector<Block>& blocks, const PairNaming& naming,
-                                      const std::vector<std::uint32_t>& new_place, std::size_t width,
-                                      std::size_t spheres, ThreadPool& pool) {
+ContactHistory wall_contact_history(const std::vector<Block>& blocks, const PairNaming& naming,
+                                    const std::vector<std::uint32_t>& new_place, std::size_t width,
+                                    std::size_t spheres, ThreadPool& pool) {
   const auto per_grain = static_cast<std::uint32_t>(naming.spheres_per_grain);
   return history_of(blocks, width, spheres, pool, [&](const Block& block, const auto& note) {
     const auto& table = block.wall_pairs;

@@ -65,13 +65,12 @@ struct PairNaming {
 
 /// Touching grain pairs of all blocks, renamed by `new_place`, sorted for `spheres` spheres. `sign`: factor
 /// of each number of the history when the pair is stored the other way round.
-ContactHistory remember_grain_contacts(const std::vector<Block>& blocks, const PairNaming& naming,
-                                       const std::vector<std::uint32_t>& new_place,
-                                       const std::vector<double>& sign, std::size_t spheres,
-                                       ThreadPool& pool);
+ContactHistory grain_contact_history(const std::vector<Block>& blocks, const PairNaming& naming,
+                                     const std::vector<std::uint32_t>& new_place,
+                                     const std::vector<double>& sign, std::size_t spheres, ThreadPool& pool);
 /// Touching wall pairs of all blocks, renamed by `new_place`, sorted for `spheres` spheres.
-ContactHistory remember_wall_contacts(const std::vector<Block>& blocks, const PairNaming& naming,
-                                      const std::vector<std::uint32_t>& new_place, std::size_t width,
-                                      std::size_t spheres, ThreadPool& pool);
+ContactHistory wall_contact_history(const std::vector<Block>& blocks, const PairNaming& naming,
+                                    const std::vector<std::uint32_t>& new_place, std::size_t width,
+                                    std::size_t spheres, ThreadPool& pool);
 
 }  // namespace diefill::engine

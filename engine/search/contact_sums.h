@@ -47,7 +47,8 @@ class ContactSums {
     if (numbers_ > ContactSum::kMoment) std::copy_n(other.loads(), count, loads());
   }
 
-  /// N, three numbers a sum, and N m, as in ContactSum: of all sums one behind the other. There must be such.
+  /// N, three numbers per sum, and N m, as in ContactSum: of all sums one after the other. There must be
+  /// such.
   const double* forces() const { return value_.data(); }
   const double* moments() const { return value_.data() + moments_begin(); }
   /// N m, rolling loads.
@@ -78,7 +79,7 @@ class ContactSums {
  private:
   static constexpr std::size_t kVector = 3;  ///< numbers of a force or moment
   static constexpr std::size_t kAhead = kEntriesAhead<double> / kVector;
-  static constexpr std::size_t kSpare = 1;  ///< behind each array, so that vectors are written four at a time
+  static constexpr std::size_t kSpare = 1;  ///< after each array, so that vectors are written four at a time
 
   std::size_t moments_begin() const { return kVector * size_ + kSpare; }
   std::size_t loads_begin() const { return 2 * moments_begin(); }

@@ -1,4 +1,4 @@
-// How far grains and bodies may move at most before the list of near pairs must be renewed.
+// How far grains and bodies may move at most before the neighbour list must be rebuilt.
 #pragma once
 
 #include <algorithm>

@@ -23,7 +23,7 @@ struct NeighbourSettings {
   double farthest_sphere = 0;              ///< m, of a sphere's centre from its grain's centre, at most
   double law_range = 0;                    ///< m, gap up to which the law acts between grains
   std::vector<double> grain_history_sign;  ///< PairLoop::history_signs() of pairs of grains
-  std::size_t wall_history = 0;            ///< numbers that touching pairs with walls remember
+  std::size_t wall_history = 0;            ///< numbers in the history of a touching pair with a wall
   std::size_t sum_numbers = ContactSum::kRolling;  ///< of a ContactSum that count
 };
 
@@ -71,7 +71,7 @@ class NeighbourList {
   /// `body_first`: number of the first wall sphere of each body when all are counted through.
   NeighbourList(const NeighbourSettings& settings, std::vector<std::uint32_t> body_first);
 
-  /// Finds all near pairs, with the memory of `history` (sphere pairs) and `wall_history`.
+  /// Finds all near pairs, with the histories in `history` (sphere pairs) and `wall_history`.
   void build(const SphereField& spheres, const std::vector<WallBody>& bodies, const ListReference& reference,
              const ContactHistory& history, const ContactHistory& wall_history, ThreadPool& pool);
 

@@ -1,4 +1,4 @@
-// Near pairs of one block of grains with what they remember, in the order in which the pair loop streams
+// Near pairs of one block of grains with their contact history, in the order in which the pair loop reads
 // them.
 #pragma once
 
@@ -53,17 +53,16 @@ void make_room(std::vector<Value>& values, std::size_t count) {
   values.reserve(count);
 }
 
-/// What each number means that a pair remembers by one law: equal numbers, equal meaning.
+/// The meaning of each number of a pair's history by one law: equal numbers, equal meaning.
 using HistoryLayout = std::vector<std::uint32_t>;
 
-/// Sets to 0 those of the numbers `remembered` that do not mean the same in both layouts, which are of one
-/// length.
-inline void clear_changed(double* remembered, const HistoryLayout& before, const HistoryLayout& next) {
+/// Sets to 0 those numbers of `history` that do not mean the same in both layouts, which are of one length.
+inline void clear_changed(double* history, const HistoryLayout& before, const HistoryLayout& next) {
   for (std::size_t k = 0; k < before.size(); ++k)
-    if (before[k] != next[k]) remembered[k] = 0;
+    if (before[k] != next[k]) history[k] = 0;
 }
 
-/// Pairs with a memory of `width` numbers each; what a pair that does not touch remembers has no meaning.
+/// Pairs with a history of `width` numbers each; that of a pair that does not touch has no meaning.
 template <class Pair>
 struct PairTable {
   std::size_t width = 0;
@@ -72,51 +71,50 @@ struct PairTable {
   std::vector<double> history;         ///< SI units, as the law lays them out
 
   std::size_t size() const { return pair.size(); }
-  /// Empties the table and makes room for `count` pairs that remember `numbers` each.
+  /// Empties the table and makes room for `count` pairs with a history of `numbers` each.
   void start(std::size_t count, std::size_t numbers) {
     width = numbers;
     make_room(pair, count);
     make_room(touching, count);
     make_room(history, count * width);
   }
-  /// `remembered`: `width` numbers of a touching pair, or nullptr; `sign`: what each is multiplied by, or
-  /// nullptr.
-  void add(const Pair& added, const double* remembered, const double* sign) {
+  /// `stored`: history of a touching pair, or nullptr; `sign`: what each number is multiplied by, or nullptr.
+  void add(const Pair& added, const double* stored, const double* sign) {
     pair.push_back(added);
-    touching.push_back(remembered != nullptr);
+    touching.push_back(stored != nullptr);
     for (std::size_t k = 0; k < width; ++k)
-      history.push_back(!remembered ? 0.0 : sign ? sign[k] * remembered[k] : remembered[k]);
+      history.push_back(!stored ? 0.0 : sign ? sign[k] * stored[k] : stored[k]);
   }
   double* history_of(std::size_t p) { return history.data() + p * width; }
   const double* history_of(std::size_t p) const { return history.data() + p * width; }
-  /// Calls visit(p, memory) for every touching pair p in their order.
+  /// Calls visit(p, history) for every touching pair p in their order.
   template <class Visit>
   void visit_touching(const Visit& visit) const {
     for (std::size_t p = 0; p < size(); ++p)
       if (touching[p]) visit(p, history_of(p));
   }
-  /// Makes p, which did not touch, a touching pair that remembers `remembered`.
-  void recall(std::size_t p, const double* remembered) {
+  /// Makes p, which did not touch, a touching pair with the history `stored`.
+  void restore(std::size_t p, const double* stored) {
     touching[p] = 1;
-    std::copy_n(remembered, width, history_of(p));
+    std::copy_n(stored, width, history_of(p));
   }
 };
 
 /// Near pairs between grains. Half of them do not touch even in a dense bed, so only those that do have a
-/// memory: one after the other in the order of the table, behind a first one that is 0.
+/// history: a first one that is 0, then theirs in the order of the table.
 struct GrainPairTable {
-  /// Place of what a contact remembers that has just begun.
+  /// Place of the history of a contact that has just begun.
   static constexpr std::uint32_t kNothing = 0;
-  /// Numbers behind the last one that may be read, so that loads of four need not mind the end.
+  /// Numbers after the last one that may be read, so that loads of four need not mind the end.
   static constexpr std::size_t kSpare = 3;
 
-  std::size_t width = 0;  ///< numbers that a touching pair remembers
+  std::size_t width = 0;  ///< numbers in the history of a touching pair
   std::vector<GrainPair> pair;
   std::vector<std::uint8_t> touching;  ///< 1 while the pair is within the law's reach
   std::vector<double> history;         ///< SI units, as the law lays them out, and kSpare numbers
 
   std::size_t size() const { return pair.size(); }
-  /// Empties the table and makes room for `count` pairs that remember `numbers` each.
+  /// Empties the table and makes room for `count` pairs with a history of `numbers` each.
   void start(std::size_t count, std::size_t numbers) {
     width = numbers;
     make_room(pair, count);
@@ -124,32 +122,31 @@ struct GrainPairTable {
     history.assign(width, 0.0);
   }
   /// As PairTable::add().
-  void add(const GrainPair& added, const double* remembered, const double* sign) {
+  void add(const GrainPair& added, const double* stored, const double* sign) {
     pair.push_back(added);
-    touching.push_back(remembered != nullptr);
-    if (!remembered) return;
-    for (std::size_t k = 0; k < width; ++k) history.push_back(sign ? sign[k] * remembered[k] : remembered[k]);
+    touching.push_back(stored != nullptr);
+    if (!stored) return;
+    for (std::size_t k = 0; k < width; ++k) history.push_back(sign ? sign[k] * stored[k] : stored[k]);
   }
   /// Ends adding.
   void finish() {
     history.insert(history.end(), kSpare, 0.0);
     history.shrink_to_fit();
   }
-  /// Room for what `count` touching pairs remember after a step, one after the other behind kNothing's, whose
-  /// numbers are set.
-  void make_room_to_remember(std::vector<double>& remembered, std::size_t count) const {
+  /// Room in `next` for kNothing's history, whose numbers are set, and then those of the `count` pairs that
+  /// touch after a step.
+  void make_room_for_history(std::vector<double>& next, std::size_t count) const {
     const std::size_t needed = (count + 1) * width + kSpare;
     // Contacts come and go, and buffers go from block to block: fresh memory costs more than some that is
     // idle.
-    if (remembered.capacity() < needed || remembered.capacity() > 2 * needed)
-      make_room(remembered, needed + needed / 8);
-    remembered.resize(needed);
-    std::fill_n(remembered.begin(), width, 0.0);
+    if (next.capacity() < needed || next.capacity() > 2 * needed) make_room(next, needed + needed / 8);
+    next.resize(needed);
+    std::fill_n(next.begin(), width, 0.0);
   }
-  /// Takes over what touching pairs remember, for which room was made; `remembered` becomes what they did
-  /// before: it has just been read, so that what another block writes to it next is written to the cache.
-  void keep(std::vector<double>& remembered) { history.swap(remembered); }
-  /// Memory number `place`: counted from 1 among those of touching pairs, or kNothing.
+  /// Takes over the histories in `next`, for which room was made; `next` becomes the former memory: it has
+  /// just been read, so that what another block writes to it next is written to the cache.
+  void keep_history(std::vector<double>& next) { history.swap(next); }
+  /// History number `place`: counted from 1 among those of touching pairs, or kNothing.
   const double* history_at(std::uint32_t place) const { return history.data() + place * width; }
   /// Prefetches `count` histories from `place` on, as far as there are so many.
   /// Always inlined: prefetch.h gives the reason.
@@ -158,23 +155,23 @@ struct GrainPairTable {
     const std::size_t end = std::min((place + count) * width, history.size());
     for (std::size_t at = place * width; at < end; at += kCacheLine) __builtin_prefetch(&history[at]);
   }
-  /// Calls visit(p, memory) for every touching pair p in their order.
+  /// Calls visit(p, history) for every touching pair p in their order.
   template <class Visit>
   void visit_touching(const Visit& visit) const {
     std::uint32_t place = kNothing;
     for (std::size_t p = 0; p < size(); ++p)
       if (touching[p]) visit(p, history_at(++place));
   }
-  /// Calls change(p, memory) for every touching pair p in their order; it may change what the pair remembers.
+  /// Calls change(p, history) for every touching pair p in their order; it may change the numbers.
   template <class Change>
   void change_touching(const Change& change) {
     visit_touching(
-        [&](std::size_t p, const double* memory) { change(p, history.data() + (memory - history.data())); });
+        [&](std::size_t p, const double* read) { change(p, history.data() + (read - history.data())); });
   }
-  /// As PairTable::recall(), for pairs in their order, in a table in which none touched.
-  void recall(std::size_t p, const double* remembered) {
+  /// As PairTable::restore(), for pairs in their order, in a table in which none touched.
+  void restore(std::size_t p, const double* stored) {
     touching[p] = 1;
-    history.insert(history.end() - kSpare, remembered, remembered + width);
+    history.insert(history.end() - kSpare, stored, stored + width);
   }
 };
 

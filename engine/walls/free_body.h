@@ -37,7 +37,7 @@ struct FreeBodySpec {
   std::size_t stop_count = 0;
 };
 
-/// A free body on its way. A plain value: all that a restart needs.
+/// State of a free body. A plain value: all that a restart needs.
 struct FreeBody {
   FreeBodySpec spec;
   Eigen::Vector3d principal_inertia = Eigen::Vector3d::Ones();   ///< kg m^2

@@ -20,7 +20,7 @@ using Json = nlohmann::json;
                              "; choose another directory");
 }
 
-/// `start` and the first number that no file or folder has behind it.
+/// `start` and the first number that no file or folder has after it.
 fs::path first_free(const fs::path& start) {
   for (int number = 1;; ++number) {
     fs::path path = start;

@@ -34,7 +34,7 @@ double seconds_of(const timeval& time) {
 }
 
 /// Of a running process, from the kernel's tables: fields 14 and 15 of `stat` (proc(5)). Its name, the second
-/// field, may hold blanks, so fields are counted from behind its bracket.
+/// field, may hold blanks, so fields are counted from after its bracket.
 double cpu_seconds_until_now(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   std::string text;

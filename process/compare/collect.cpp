@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "process/compare/compared_fields.h"
 #include "process/compare/compared_measures.h"
 #include "process/compare/job_folder.h"
 #include "process/compare/statistics.h"
 #include "process/input/scene_error.h"
+#include "process/results/none.h"
 #include "process/results/storage/result_file.h"
 #include "process/run/restart/input_record.h"
 
 namespace diefill::process {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// A file as the first run that names it has read it.
 struct ReadFile {

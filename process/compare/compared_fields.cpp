@@ -1,16 +1,14 @@
 #include "process/compare/compared_fields.h"
 
 #include <cmath>
-#include <limits>
 
 #include "process/results/field_value.h"
+#include "process/results/none.h"
 #include "process/results/places_without_value.h"
 #include "process/results/studies/correlation.h"
 
 namespace diefill::process {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Mean of the fields that have a value there, where at least half of them hold powder.
 double mean_at(const std::vector<results::Field2D>& fields, double first, double second) {

@@ -1,16 +1,14 @@
 #include "process/compare/statistics.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "process/results/none.h"
 #include "process/results/studies/mean.h"
 #include "process/results/studies/quantiles.h"
 
 namespace diefill::process {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Direction of the sum of unit vectors, in 0 to `period`.
 double mean_direction(const std::vector<double>& values, double period) {

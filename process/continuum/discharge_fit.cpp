@@ -38,13 +38,9 @@ bool has_burst(DischargeLaw law) {
   return law == DischargeLaw::moving_shoe || law == DischargeLaw::transient;
 }
 
-bool is_beverloo(DischargeLaw law) {
-  return law == DischargeLaw::beverloo_round || law == DischargeLaw::beverloo_slit;
-}
-
 /// Whether the point is in the range of the law.
 bool within_range(DischargeLaw law, const DischargePoint& point, const DischargeData& data) {
-  if (!is_beverloo(law) && !(effective_width_of(point, data) > 0)) return false;
+  if (!is_of_rates(law) && !(effective_width_of(point, data) > 0)) return false;
   return !has_burst(law) || x_of(law, point, data) >= 0;
 }
 
@@ -125,7 +121,7 @@ SeparableModel model_of(DischargeLaw law, const DischargeData& data) {
 
 /// Refuses openings that the empty annulus closes: no law describes the flow through them.
 void refuse_closed(DischargeLaw law, const DischargeData& data) {
-  const bool fits_annulus = is_beverloo(law) && widths_of(data) >= kWidthsForAnnulus;
+  const bool fits_annulus = is_of_rates(law) && widths_of(data) >= kWidthsForAnnulus;
   if (!(data.grain_diameter > 0) || fits_annulus) return;
   for (const auto& point : data.points)
     if (!(effective_width_of(point, data) > 0))
@@ -157,7 +153,7 @@ void refuse_too_few(const SeparableModel& model, std::size_t given, std::size_t 
 /// Refuses points that are all at one speed or time, or have all one mass, and an outflow that never rises.
 /// Rates through openings may be all of one width.
 void refuse_constant(DischargeLaw law, const DischargeData& data) {
-  if (is_beverloo(law) || data.points.empty()) return;
+  if (is_of_rates(law) || data.points.empty()) return;
   const bool over_time = law == DischargeLaw::transient;
   const DischargePoint& first = data.points.front();
   const auto all = [&](const auto& holds) {
@@ -235,41 +231,6 @@ double largest_value(const DischargeData& data) {
 
 }  // namespace
 
-std::string name_of(DischargeLaw law) {
-  switch (law) {
-    case DischargeLaw::moving_shoe:
-      return "5.17";
-    case DischargeLaw::power_law:
-      return "5.18";
-    case DischargeLaw::transient:
-      return "transient";
-    case DischargeLaw::beverloo_round:
-      return "beverloo-round";
-    case DischargeLaw::beverloo_slit:
-      break;
-  }
-  return "beverloo-slit";
-}
-
-std::string formula_of(DischargeLaw law) {
-  switch (law) {
-    case DischargeLaw::moving_shoe:
-      return "m = rho_a D b l [C_B + C_F (x + (1 - C_I/C_F)/beta (exp(-beta x) - 1))], x = sqrt(gD)/v_s - "
-             "1/5 "
-             "(Bierwisch 2009, Eqs. 4.1, 5.17)";
-    case DischargeLaw::power_law:
-      return "m = C_S rho_a D b l (sqrt(gD)/v_s)^(1 + n) (Bierwisch 2009, Eq. 5.18)";
-    case DischargeLaw::transient:
-      return "m(t) = rho_a b D^2 [C_B + C_F (x + (1 - C_I/C_F)/beta (exp(-beta x) - 1))], x = t sqrt(g/D) - "
-             "1/5 (integral of Bierwisch 2009, Eq. 5.15)";
-    case DischargeLaw::beverloo_round:
-      return "W = C rho_a sqrt(g) (D - k d)^(5/2) (Beverloo 1961; Bierwisch 2009, Eq. 5.1)";
-    case DischargeLaw::beverloo_slit:
-      break;
-  }
-  return "W = C rho_a b sqrt(g) (D - k d)^(3/2) (Beverloo for a slit; Bierwisch 2009, Eq. 5.13)";
-}
-
 double DischargeFit::number(const std::string& name) const {
   const auto at = std::find(names.begin(), names.end(), name);
   if (at == names.end()) throw std::out_of_range("no number " + name);
@@ -300,7 +261,7 @@ DischargeFit fit_discharge(DischargeLaw law, const DischargeData& given) {
   found.left_out = given.points.size() - data.points.size();
   for (Eigen::Index i = 0; i < count; ++i) {
     found.relative_scatter += std::pow(y[i] / found.fit.values[i] - 1, 2) / static_cast<double>(count);
-    if (!is_beverloo(law))
+    if (!is_of_rates(law))
       found.largest_x = std::max(found.largest_x, x_of(law, data.points[static_cast<std::size_t>(i)], data));
   }
   found.relative_scatter = std::sqrt(found.relative_scatter);

@@ -7,20 +7,14 @@
 #include <vector>
 
 #include "process/continuum/discharge.h"
+#include "process/continuum/discharge_law.h"
 #include "process/continuum/separable_fit.h"
 
 namespace diefill::process::continuum {
 
-enum class DischargeLaw { moving_shoe, power_law, transient, beverloo_round, beverloo_slit };
-
-/// As it is called on the command line: "5.17", "5.18", "transient", "beverloo-round", "beverloo-slit".
-std::string name_of(DischargeLaw law);
-/// The formula in one line, with its source.
-std::string formula_of(DischargeLaw law);
-
 /// One measurement. SI units; what its law does not need may be 0.
 struct DischargePoint {
-  double value = 0;        ///< kg; kg/s for the Beverloo laws
+  double value = 0;        ///< kg; kg/s of laws of rates
   double error = 0;        ///< of the same; one standard deviation; 0: not known
   double speed = 0;        ///< m/s, of the shoe
   double time = 0;         ///< s since the slit opened

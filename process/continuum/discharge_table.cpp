@@ -143,19 +143,11 @@ void set(const std::string& name, double value, bool rates, DischargePoint& poin
   if (name == "density") density = value;
 }
 
-bool is_of_rates(DischargeLaw law) {
-  return law == DischargeLaw::beverloo_round || law == DischargeLaw::beverloo_slit;
-}
-
 /// What a law needs, and how the command line gives it; an empty option: only as a column.
 struct Need {
   std::string column, option;
   bool given;
 };
-
-bool is_of_shoe(DischargeLaw law) {
-  return law == DischargeLaw::moving_shoe || law == DischargeLaw::power_law;
-}
 
 void refuse_missing(const std::vector<Column>& columns, const std::string& place, DischargeLaw law,
                     const CommonToAll& common) {

@@ -1,5 +1,5 @@
-// Design of a wedge hopper for mass flow from a shear test (Jenike's procedure; Kottlan 2018, section 3.4;
-// physics reference of Kottlan, experiments 7): half angle and slot width at which powder does not arch.
+// Design of a wedge hopper for mass flow from a shear test (Jenike's procedure; Kottlan 2018, section 3.4):
+// half angle and slot width at which powder does not arch.
 #pragma once
 
 namespace diefill::process::continuum {

@@ -1,16 +1,11 @@
 #include "process/continuum/yield_locus.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "process/results/none.h"
+
 namespace diefill::process::continuum {
-namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 YieldLocus yield_locus_through(const std::vector<StressPoint>& points) {
   const auto count = static_cast<double>(points.size());
   double normal = 0, shear = 0, squares = 0, products = 0;

@@ -47,7 +47,7 @@ Assignment parted(const std::string& line, std::size_t equals) {
   return parts;
 }
 
-/// The value in quotes, without a comment behind it.
+/// The value in quotes, without a comment after it.
 std::string quoted(const Assignment& parts) {
   std::string value = parts.value.substr(0, parts.value.find(" #"));
   value.resize(value.find_last_not_of(" \t") + 1);

@@ -15,7 +15,7 @@ double unit_factor(std::string_view from, std::string_view to);
 /// Whether unit_factor() knows both units and takes one into the other.
 bool has_same_dimension(std::string_view one, std::string_view other);
 
-/// A number and the unit behind it, "1" where there is none.
+/// A number and the unit after it, "1" where there is none.
 struct NumberWithUnit {
   double number = 0;
   std::string unit;

@@ -1,5 +1,5 @@
 // An experiment of the laboratory: a question to the method, answered by driving the engine. To add one: a
-// file with a function like `perform`, and its line in the registry of its family.
+// file with a function like `perform`, its declaration and its line in the registry of its family.
 #pragma once
 
 #include <string>

@@ -6,6 +6,7 @@
 
 #include "process/measure/measure.h"
 #include "process/results/formatted.h"
+#include "process/results/instant_powder.h"
 
 namespace diefill::process {
 namespace {
@@ -67,14 +68,7 @@ results::FillResult powder_at(const results::FillResult& result, const results::
                               bool with_solid_fraction) {
   results::FillResult then;
   then.cavity = result.cavity;
-  then.powder = result.powder;
-  then.powder.time = instant.time;
-  then.powder.id = instant.id;
-  then.powder.kind = instant.kind;
-  then.powder.position = instant.position;
-  then.powder.orientation = instant.orientation;
-  then.powder.velocity = instant.velocity;
-  then.powder.angular_velocity.clear();
+  then.powder = results::powder_at(result.powder, instant);
   for (std::size_t n = 0; n < result.tools.size(); ++n)
     then.tools.push_back(tool_at(result.tools[n], instant, n));
   if (with_solid_fraction) then.solid_fraction = measure_solid_fraction(then.powder, then.tools, then.cavity);

@@ -37,7 +37,7 @@ struct Needs {
 /// What the scene needs. `tooling` has its wall spheres. Throws SceneError as the run would.
 Needs needs_of(const Scene& scene, const Tooling& tooling);
 
-/// The same as statements for people, one a line, each with its reason.
+/// The same as statements for people, one per line, each with its reason.
 std::vector<std::string> description(const Needs& needs, const Scene& scene, const Tooling& tooling);
 
 /// m^2, area of the tool's surface that faces along `direction` (a unit vector), seen from there.

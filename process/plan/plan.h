@@ -27,7 +27,7 @@ struct Plan {
   Scene scene;  ///< with the numbers of its setting, where it has one
   Tooling tooling;
   Needs needs;
-  std::vector<std::string> statements;  ///< of needs, one a line
+  std::vector<std::string> statements;  ///< of needs, one per line
   std::optional<Pilot> pilot;
   double opening = 0;  ///< m, narrowest width of holes through the tools; 0: none, or not searched for
   double tooling_seconds = 0;   ///< s of wall-clock time to read and cover the tools

@@ -69,7 +69,7 @@ double seconds_of(engine::Simulation& simulation, int steps) {
   return clock.seconds();
 }
 
-/// s that making the list of near pairs takes: nearly all of what going back to a state does.
+/// s that making the neighbour list takes: nearly all of what going back to a state does.
 double search_seconds(engine::Simulation& simulation) {
   const engine::Snapshot now = simulation.snapshot();
   const FreeClock clock;

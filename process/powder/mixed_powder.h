@@ -6,8 +6,8 @@
 // belong to the material and are the same for all pairs; the laws take R_eff, masses and moments of inertia
 // of each pair themselves. gamma_n and kappa_t of Bierwisch's law grow with the radius of the sphere
 // (Bierwisch 2009, Eq. 3.7), and so does mu_r; of unequal spheres the smaller one counts. Against tools it is
-// the powder's sphere however large the wall is (physics reference, OP-5), and to a small grain a large one
-// is such a wall, so that both limits are kept: equal spheres and walls [assumed]. Springs and dampers that
+// the powder's sphere however large the wall is (engine/OPEN_POINTS.md, OP-5), and to a small grain a large
+// one is such a wall, so that both limits are kept: equal spheres and walls. Springs and dampers that
 // [contact] gives in N/m and N s/m are the same for all sizes.
 #pragma once
 

@@ -10,9 +10,9 @@ namespace {
 constexpr double kLoosest = 0.1, kClosest = 1.2;
 
 /// Heights of all columns as they fill.
-class Columns {
+class FillingColumns {
  public:
-  explicit Columns(const PourColumns& columns)
+  explicit FillingColumns(const PourColumns& columns)
       : columns_(columns), height_(columns.across[0] * columns.across[1], 0.0) {}
 
   /// The middle of the next cell, `height` (m) high, which is taken.
@@ -47,7 +47,7 @@ std::vector<engine::NewGrain> pour_sizes(
     const std::function<engine::NewGrain(const Eigen::Vector3d&, const engine::GrainShape&, Random&)>& place,
     const std::function<bool(const engine::NewGrain&, const engine::GrainShape&)>& has_room) {
   Random random(scene.seed);
-  Columns filling(columns);
+  FillingColumns filling(columns);
   std::vector<engine::NewGrain> grains;
   for (const std::uint16_t kind : types) {
     const engine::GrainShape& shape = kinds[kind].shape;
@@ -65,7 +65,7 @@ std::vector<engine::NewGrain> pour_sizes(
 
 double height_of_columns(const Scene& scene, const std::vector<engine::ParticleType>& kinds,
                          const PourColumns& columns, const std::vector<std::uint16_t>& types) {
-  Columns filling(columns);
+  FillingColumns filling(columns);
   for (const std::uint16_t kind : types) {
     const engine::GrainShape& shape = kinds[kind].shape;
     filling.take(column_height(scene, columns, 2 * shape.bounding_radius(), shape.solid_volume));

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "process/results/none.h"
 #include "process/results/places_without_value.h"
 
 namespace diefill::results {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTurn = 360;  // deg
 
 /// The nodes on both sides of a place, and the share of the way from the first to the second.

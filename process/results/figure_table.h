@@ -35,7 +35,7 @@ struct Figure {
 std::span<const Figure> figure_table();
 
 /// The entry of a figure; null for figures that are unknown. Those of smaller cavities, such as
-/// `cavity_2_fill_ratio`, have the entry of the name behind the number.
+/// `cavity_2_fill_ratio`, have the entry of the name after the number.
 const Figure* find_figure(const std::string& name);
 
 /// The same for names in the program's own source. Throws std::out_of_range for unknown ones.

@@ -22,7 +22,7 @@ std::string with_scatter(double value, double scatter, int digits = 3);
 /// `value` with `digits` significant digits and no exponent where that stays short.
 std::string in_significant_digits(double value, int digits);
 
-/// " mm" to stand behind a number; nothing for plain numbers, whose unit is "1" or empty.
+/// " mm" to stand after a number; nothing for plain numbers, whose unit is "1" or empty.
 std::string unit_behind(const std::string& unit);
 
 /// A share as "42 %", in whole percent.

@@ -1,4 +1,4 @@
-// Stars and lines of one level on a field, told from its colours by light edges, and their legend.
+// Stars and lines of one level on a field, with light edges that set them off from its colours; their legend.
 #pragma once
 
 #include <QPainter>

@@ -55,7 +55,7 @@ std::vector<std::filesystem::path> draw_maps(const std::filesystem::path& direct
 
 /// Writes the maps, section.png (section_2.png and so on where there are more), snapshot.png, and
 /// fill_level.png and, where the cavity is no ring, height_profile.png (of further cavities with
-/// `_cavity_2` and so on behind the name), into `directory`; returns what was
+/// `_cavity_2` and so on after the name), into `directory`; returns what was
 /// written. `range` is that of the solid fraction; from the result where it is kRangeFromData.
 std::vector<std::filesystem::path> draw_all(const std::filesystem::path& directory,
                                             const results::FillResult& result,

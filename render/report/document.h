@@ -45,8 +45,8 @@ struct Listing {
 /// elsewhere.
 struct View3D {
   QByteArray description;        ///< JSON: runs, colours, and where in `data` what lies
-  std::vector<QByteArray> data;  ///< one a run, base64
-  std::vector<Figure> stills;    ///< one a run
+  std::vector<QByteArray> data;  ///< one per run, base64
+  std::vector<Figure> stills;    ///< one per run
   std::string remark;            ///< what is left out; may be empty
 };
 

@@ -28,7 +28,7 @@ struct LivePage {
   std::string picture_caption;
   std::vector<std::string> header;             ///< of the table of runs; empty: none
   std::vector<std::vector<std::string>> rows;  ///< its first cell links to `links` where that is not empty
-  std::vector<std::string> links;              ///< one a row, relative to the page
+  std::vector<std::string> links;              ///< one per row, relative to the page
 };
 
 /// s between two reloads by the browser.

@@ -13,7 +13,7 @@
 namespace diefill::render::report {
 namespace {
 
-constexpr const char* kNone = "–";
+constexpr const char* kDash = "–";
 
 /// Decimals that leave the largest value `digits` significant digits; none where all values are whole, and
 /// where a value other than zero would be shown as zero.
@@ -35,7 +35,7 @@ std::optional<int> decimals_of_column(const std::vector<double>& values, int dig
 }  // namespace
 
 std::string in_digits(double value, int digits) {
-  if (!std::isfinite(value)) return kNone;
+  if (!std::isfinite(value)) return kDash;
   // Whole numbers keep all their digits, or 87,041 spheres would become 87040.
   if (value != std::round(value) || std::abs(value) >= 1e12)
     return results::in_significant_digits(value, digits);
@@ -53,7 +53,7 @@ std::vector<std::string> in_one_format(const std::vector<double>& values, int di
 
 std::string with_unit(double value, const std::string& unit, int digits) {
   const std::string number = in_digits(value, digits);
-  return number == kNone || unit.empty() ? number : number + " " + unit;
+  return number == kDash || unit.empty() ? number : number + " " + unit;
 }
 
 std::string with_unit_of(const std::string& name, const std::string& unit) {
@@ -61,7 +61,7 @@ std::string with_unit_of(const std::string& name, const std::string& unit) {
 }
 
 std::string as_duration(double seconds) {
-  if (!std::isfinite(seconds)) return kNone;
+  if (!std::isfinite(seconds)) return kDash;
   char text[64];
   const long whole = std::lround(seconds);
   if (seconds < 60)
@@ -112,7 +112,7 @@ void leave_out_empty_columns(Table& table) {
   for (std::size_t column = table.header.size(); column-- > 0;) {
     const bool empty =
         !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(),
-                                           [&](const auto& row) { return row[column] == kNone; });
+                                           [&](const auto& row) { return row[column] == kDash; });
     if (!empty) continue;
     const auto at = static_cast<std::ptrdiff_t>(column);
     table.header.erase(table.header.begin() + at);

@@ -26,7 +26,7 @@ std::vector<std::string> column_of(const Rows& rows, Value value, int digits = 4
   return in_one_format(values, digits);
 }
 
-/// in_digits() with a unit behind it; "–" alone for NaN.
+/// in_digits() with a unit after it; "–" alone for NaN.
 std::string with_unit(double value, const std::string& unit, int digits = 4);
 
 /// "name [unit]", as columns and axes have it; the name alone for plain numbers.

@@ -40,7 +40,7 @@ struct SceneLook {
 inline constexpr double kTranslucency = 0.13;
 
 /// Draws the scene as `view` frames it, on white, width x height pixels, smoothed by twofold oversampling,
-/// with the renderer of `look`. `grain_colours`: one a grain. Throws std::runtime_error when the renderer
+/// with the renderer of `look`. `grain_colours`: one per grain. Throws std::runtime_error when the renderer
 /// cannot be started.
 QImage draw_grains(const results::FillResult& result, const std::vector<Rgb>& grain_colours,
                    const ViewChoice& view, int width, int height, const SceneLook& look = {});

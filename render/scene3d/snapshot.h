@@ -29,7 +29,7 @@ struct SnapshotPicture {
 
 /// What a shaded view is of.
 struct ViewOptions {
-  std::vector<double> values;  ///< one a grain, NaN: grey; empty: solid fraction of closed cells
+  std::vector<double> values;  ///< one per grain, NaN: grey; empty: solid fraction of closed cells
   /// What the values 1, 2, ... mean, such as powders: a legend in place of the colour scale; empty: values
   /// are numbers.
   std::vector<std::string> kinds;

@@ -13,7 +13,7 @@ namespace diefill::render {
 /// Spheres, lengths in any one unit.
 struct TracedSpheres {
   std::vector<Eigen::Vector4f> spheres;  ///< centre and radius
-  std::vector<Rgb> colours;              ///< one a sphere
+  std::vector<Rgb> colours;              ///< one per sphere
 };
 
 /// Triangles with a normal at each corner.

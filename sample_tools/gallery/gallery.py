@@ -59,7 +59,7 @@ def run_commands(example, program, out):
 
 
 def value_at(document, path):
-    """The value behind a path such as `cavities/0/share` of a JSON document."""
+    """The value after a path such as `cavities/0/share` of a JSON document."""
     for key in path.split("/"):
         document = document[int(key)] if isinstance(document, list) else document[key]
     return document

@@ -8,8 +8,8 @@
 
 namespace diefill::engine {
 
-/// Calls visit(block, sphere i, pair number, memory) for every touching grain pair; pairs of a block are read
-/// in the order in which the engine streams them.
+/// Calls visit(block, sphere i, pair number, history) for every touching grain pair; pairs of a block are
+/// read in the order in which the engine streams them.
 template <class Visit>
 void visit_touching_grain_pairs(const Simulation& simulation, const Visit& visit) {
   for (const auto& block : simulation.neighbours().blocks()) {
@@ -27,7 +27,7 @@ inline double overlap_of(const Simulation& simulation, const Block& block, std::
          length(spheres.position(i) - spheres.position(block.sphere(block.grain_pairs.pair[p].other)));
 }
 
-/// Tangential spring (m) that a pair remembers.
+/// Tangential spring (m) in the history of a pair.
 inline Eigen::Vector3d spring_of(const double* history) {
   return {history[0], history[1], history[2]};
 }

@@ -1,4 +1,4 @@
-// What contacts remember when their laws are exchanged while a simulation runs.
+// The history of contacts whose laws are exchanged while a simulation runs.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -13,8 +13,8 @@ constexpr double kRadius = 1.5e-4, kMass = 7.63e-8, kTimeStep = 1e-7;  // m, kg,
 constexpr std::size_t kFrictionAt = laws::GeneralLaw::kFrictionHistory,
                       kRollingAt = laws::GeneralLaw::kRollingHistory;
 
-/// A law of which normal, friction and rolling part remember something.
-laws::LawParameters remembering() {
+/// A law whose normal, friction and rolling part have a history.
+laws::LawParameters with_history() {
   laws::LawParameters law;
   law.normal = laws::LudingNormal::Parameters{.loading = 100, .unloading = 500};
   law.friction = laws::CundallFriction::Parameters{.tangential = 50, .friction = 0.5};
@@ -22,7 +22,7 @@ laws::LawParameters remembering() {
   return law;
 }
 
-/// What touching pairs remember, by the numbers of both grains, or of a grain and kWall.
+/// Histories of touching pairs, by the numbers of both grains, or of a grain and kWall.
 using Memories = std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<double>>;
 constexpr std::uint64_t kWall = 99;
 
@@ -72,7 +72,7 @@ ParticleType sphere(const std::string& material = kPowderMaterial) {
   return {model_b(kRadius, kMass), material};
 }
 
-/// What the contacts of a column of two remember before and after its law `first` is exchanged for `next`.
+/// Histories of the contacts of a column of two before and after its law `first` is exchanged for `next`.
 struct Exchange {
   Memories before, after;
 };
@@ -101,21 +101,21 @@ void expect_cleared(const Exchange& exchange, std::size_t begin, std::size_t end
 }
 
 TEST(ExchangedLaws, AnotherRollingPartBeginsWithoutTorqueAndTheOthersGoOn) {
-  laws::LawParameters next = remembering();
+  laws::LawParameters next = with_history();
   // Its history is the torque on the other sphere.
   next.rolling = laws::LudingRolling::Parameters{
       .rolling_friction = 0.3, .tangential_stiffness = 50, .time_step = kTimeStep};
-  expect_cleared(exchange(remembering(), next), kRollingAt, kRollingAt + 3);
+  expect_cleared(exchange(with_history(), next), kRollingAt, kRollingAt + 3);
 }
 
 TEST(ExchangedLaws, AnotherNormalPartBeginsWithoutMemoryAndTheOthersGoOn) {
-  laws::LawParameters next = remembering();
+  laws::LawParameters next = with_history();
   next.normal = laws::EdinburghNormal::Parameters{.modulus = 1e6};
-  expect_cleared(exchange(remembering(), next), 0, kFrictionAt);
+  expect_cleared(exchange(with_history(), next), 0, kFrictionAt);
 }
 
 TEST(ExchangedLaws, AnotherExponentOfTheEdinburghLawBeginsWithoutMemory) {
-  laws::LawParameters hertzian = remembering(), linear = remembering();
+  laws::LawParameters hertzian = with_history(), linear = with_history();
   hertzian.normal = laws::EdinburghNormal::Parameters{.modulus = 1e6};
   linear.normal =
       laws::EdinburghNormal::Parameters{.branch = laws::EdinburghBranch::linear, .stiffness = 100};
@@ -123,18 +123,18 @@ TEST(ExchangedLaws, AnotherExponentOfTheEdinburghLawBeginsWithoutMemory) {
 }
 
 TEST(ExchangedLaws, OtherParametersOfTheSamePartsKeepAllMemory) {
-  laws::LawParameters next = remembering();
+  laws::LawParameters next = with_history();
   next.normal = laws::LudingNormal::Parameters{.loading = 120, .unloading = 900, .cohesion = 5};
   next.damping = laws::ConstantDamping::Parameters{1e-5};
   next.friction = laws::CundallFriction::Parameters{.tangential = 70, .friction = 0.1};
   next.rolling = laws::Epsd2Rolling::Parameters{.rolling_friction = 0.01, .shear_modulus = 2e6};
-  const Exchange kept = exchange(remembering(), next);
+  const Exchange kept = exchange(with_history(), next);
   EXPECT_EQ(kept.after, kept.before);
   for (const auto& [pair, numbers] : kept.before) EXPECT_NE(numbers[kFrictionAt], 0);
 }
 
 TEST(ExchangedLaws, ContactsOfOtherMaterialsGoOn) {
-  const laws::LawParameters law = remembering();
+  const laws::LawParameters law = with_history();
   ContactLaws contact;
   contact.pairs = {{"fine", "fine", law},
                    {"fine", "coarse", law},

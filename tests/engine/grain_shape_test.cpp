@@ -1,5 +1,4 @@
-// Grain models A to D: mass, moments, volume, size (physics reference, section 4.1; Bierwisch 2009, section
-// 2.2).
+// Grain models A to D: mass, moments, volume, size (Bierwisch 2009, section 2.2).
 #include <gtest/gtest.h>
 
 #include <stdexcept>

@@ -80,7 +80,7 @@ TEST(SimulationChanges, StoppingGrainsInContactBalancesEnergy) {
   EXPECT_LT(balance_error(simulation), 0.005);
 }
 
-TEST(SimulationChanges, LawsPutBackChangeNoBitOfWhatTheyRemember) {
+TEST(SimulationChanges, LawsPutBackChangeNoBitOfContactHistory) {
   auto settings = weightless(Model::d, {.friction = 0.5}, 1e-6);
   settings.gravity = {0, 0, -9.81};
   Simulation changed = cloud(settings), plain = cloud(settings);

@@ -24,7 +24,7 @@ std::vector<std::string> file_cells(const std::string& text);
 /// Lines of all blocks of code of a language, such as "toml".
 std::vector<std::string> code_lines(const std::string& text, const std::string& language);
 
-/// Folder of a document, with a slash behind it; empty for the root.
+/// Folder of a document, with a slash at its end; empty for the root.
 std::string folder_of(const std::string& document);
 
 }  // namespace diefill::project

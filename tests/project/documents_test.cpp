@@ -13,7 +13,8 @@
 namespace diefill::project {
 namespace {
 
-/// `name` as a file, folder, or source without its ending, seen from `folder` (empty or with a slash behind).
+/// `name` as a file, folder, or source without its ending, seen from `folder` (empty or with a slash at its
+/// end).
 bool names_a_file(const std::string& folder, const std::string& name) {
   constexpr std::array kEndings = {"", ".h", ".cpp"};
   return std::any_of(kEndings.begin(), kEndings.end(),
@@ -171,6 +172,20 @@ TEST(Documents, CommentsNameSourcesThatExist) {
         if (!exists(match->str())) missing.push_back(file + ": " + match->str());
     }
   EXPECT_TRUE(missing.empty()) << in_lines(missing);
+}
+
+// Points that the source leaves open are known by number everywhere, and explained on one page.
+TEST(Documents, ExplainEveryOpenPointThatIsNamed) {
+  const std::string page = text_of("engine/OPEN_POINTS.md");
+  const std::regex point("\\bOP-[0-9]+\\b");
+  std::set<std::string> unexplained;
+  for (const auto& file : written_files()) {
+    const std::string text = text_of(file);
+    for (std::sregex_iterator match(text.begin(), text.end(), point), end; match != end; ++match)
+      if (page.find("| " + match->str() + " |") == std::string::npos)
+        unexplained.insert(file + ": " + match->str());
+  }
+  EXPECT_TRUE(unexplained.empty()) << in_lines({unexplained.begin(), unexplained.end()});
 }
 
 /// Keys of scenes that a document names: `table.key` in its text, and all of its blocks of TOML.

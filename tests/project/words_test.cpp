@@ -29,6 +29,7 @@ const std::vector<Banned>& banned_words() {
       {"lie_apart", "distinct"},
       {"look_?ahead", "prefetch"},
       {"looks? after|looked after", "monitor, manage"},
+      {"physics reference", "the source and its equation, or engine/OPEN_POINTS.md"},
       {"slip of the pen", "did you mean ...?"},
       {"slots_?in_?space", "spatial cache"},
       {"to and fro", "oscillate, back and forth"},

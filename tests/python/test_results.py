@@ -107,6 +107,19 @@ def test_schedule_checks_and_summary_are_those_of_the_report(folder):
     assert results.other_cavities == [] and len(results.instants[0].kind) == 0
 
 
+def test_objects_show_what_they_hold(folder):
+    results = diefill.read(folder)
+    name, tool = next(iter(results.tools.items()))
+    assert repr(tool).startswith(f"<diefill.Tool {name} ({tool.role}): {len(tool.triangles)} triangles")
+    assert repr(results.powder) == f"<diefill.Powder {len(results.powder)} grains at {results.powder.time:g} s>"
+    assert any("passage" in repr(stage) for stage in results.stages)
+    objects = [results.cavity, results.solid_fraction, results.contact_stress, results.summary, results.instants[0],
+               *results.maps.values(), *results.sections.values(), *results.profiles.values(),
+               *results.tool_checks.values()]
+    for one in objects:
+        assert repr(one).startswith(f"<diefill.{type(one).__name__} ") and "object at" not in repr(one)
+
+
 def test_missing_results_are_bad_input(tmp_path):
     with pytest.raises(diefill.BadInput, match="no such results file") as error:
         diefill.read(tmp_path)

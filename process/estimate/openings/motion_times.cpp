@@ -10,7 +10,7 @@ std::vector<double> motion_times(const Stages& stages, const std::vector<StepSta
   constexpr int kOfACrossing = 50;  // instants
   auto times = instants(stages, states, dense);
   times.push_back(0);
-  // The settling of the poured powder is the first stage, or the second behind an empty first.
+  // The settling of the poured powder is the first stage, or the second after an empty first.
   for (std::size_t k = 0; k < std::min<std::size_t>(2, stages.size()); ++k) times.push_back(states[k].ended);
   for (std::size_t k = 0; k < stages.size(); ++k) {
     if (stages.steps[k]->tools().empty() || states[k].is_pending()) continue;

@@ -57,7 +57,7 @@ std::vector<ShoePose> shoe_poses(const Scene& scene, const Tooling& tooling, con
 bool pours_until_at_rest(const Scene& scene) {
   if (scene.pour.grains_file || scene.pour.state || scene.gravity.isZero()) return false;
   const Stages stages(scene);
-  // The settling of the poured powder: the first stage, or the scene's own one behind an empty first.
+  // The settling of the poured powder: the first stage, or the scene's own one after an empty first.
   const auto is_settling = [](const Step& step) { return step.open_ended() && step.tools().empty(); };
   return is_settling(*stages.steps[0]) || (!scene.steps.empty() && is_settling(*scene.steps.front()) &&
                                            scene.steps.front()->inflow() == nullptr);

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "process/laboratory/flow/hopper_models.h"
 #include "process/laboratory/flow/hopper_setups.h"
 #include "process/results/formatted.h"
+#include "process/results/none.h"
 
 namespace diefill::process::laboratory {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kBulkFrom = 40e-3;  // m, above which powder has its bulk fraction (section 5.1.3)
 constexpr double kLoosened = 0.02;   // of the bulk fraction
 constexpr double kNegligible = 0.1;  // of the largest |v_x|

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "process/laboratory/endless_ground.h"
 #include "process/laboratory/flow/field_mean.h"
 #include "process/measure/measure.h"
 #include "process/powder/material.h"
+#include "process/results/none.h"
 #include "process/run/fill_run.h"
 #include "process/run/powder_state.h"
 #include "process/setup/impact_speed.h"
@@ -28,7 +28,6 @@ constexpr int kFractionEvery = 8;          // samples to one of the solid fracti
 constexpr double kGridSpacing = 5e-4;      // m
 constexpr double kMeasuredHeight = 50e-3;  // m, of the grid
 constexpr double kLongestSettling = 5;     // s
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Scene scene_of(const HopperSetup& setup) {
   Scene scene;

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include "process/laboratory/flow/hopper_setups.h"
 #include "process/laboratory/flow/registry.h"
+#include "process/results/none.h"
 
 namespace diefill::process::laboratory {
 
@@ -18,7 +18,6 @@ constexpr double kFlowTime = 0.3;           // s after the opening
 constexpr double kSourceDepth = 2.16e-3;    // m, b of the source's hopper
 constexpr double kSourceFraction = 0.365;   // its bulk solid fraction
 constexpr double kSourceGrain = 1.413e-11;  // m^3, its grains (Table C.4)
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// A slit of `millimetres` in a hopper of this width; the level falls for kFlowTime, by half before the
 /// steady rate is taken.

@@ -1,4 +1,4 @@
-// The experiments of `diefill lab flow`: flowing powder against models that know no grains.
+// The experiments of `diefill lab flow`: flowing powder against continuum models.
 #pragma once
 
 #include <vector>

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "geometry/voronoi/neighbour_grid.h"
 #include "process/measure/period.h"
+#include "process/results/none.h"
 
 namespace diefill::process::laboratory {
 namespace {
 
 constexpr double kGravity = 9.81;  // m/s^2
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Volume (m^3) of a sphere below a height over its centre: a cap, pi h^2 (R - h / 3).
 double cap_below(double radius, double height) {

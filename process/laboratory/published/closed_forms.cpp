@@ -119,7 +119,7 @@ double norm_after_step() {
 }
 
 /// m/s at `height` (m) above the middle of a slit of 15 mm in a hopper of 45 mm, B = 1.8 mm, 0.4 m/s in the
-/// slit (physics reference, B.3); grid as published.
+/// slit (Bierwisch 2009, appendix B); grid as published.
 double speed_above_slit(double height) {
   constexpr double kSlit = 0.015, kSpacing = 0.25e-3;
   const continuum::HopperGrid grid{.width = 0.045, .height = 0.05, .columns = 180, .rows = 200};

@@ -5,7 +5,7 @@
 
 namespace diefill::process::laboratory {
 
-/// Laws, grains, turning, flow above a slit and discharge against exact results (physics reference, E0).
+/// Laws, grains, turning, flow above a slit and discharge against exact results (E0 of FIDELITY.md).
 LabPlan plan_closed_forms(const LabSetting& setting);
 /// Collisions of model D grains of three sizes, parameters scaled with the size or one of them held
 /// (Bierwisch 2009, section 3.1, E1).

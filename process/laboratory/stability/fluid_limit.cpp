@@ -1,11 +1,11 @@
-#include "process/laboratory/stability/fluid_limit.h"
-
+// Which time steps, densities and shear rates keep the temperature of a fluid of particles.
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "engine/numerics/out_of_range.h"
 #include "process/laboratory/published/sawing/viscosity.h"
+#include "process/laboratory/stability/registry.h"
 #include "process/measure/figures/line_fit.h"
 
 namespace diefill::process::laboratory {

@@ -24,7 +24,7 @@ constexpr double kSpeedLimit = 0.02, kIntegralTime = 0.02;  // m/s, s
 constexpr double kRinging = 0.1;                            // scatter of the force over the force
 
 /// A settled bed with a flat piston just above it, damped.
-struct PressedBed {
+struct PistonBed {
   engine::SimulationSettings settings;
   std::vector<engine::NewGrain> grains;
   double top = 0;  ///< m, of the highest sphere
@@ -32,10 +32,10 @@ struct PressedBed {
   double area() const { return *settings.period[0] * *settings.period[1]; }
 };
 
-PressedBed bed_to_press(bool quick) {
+PistonBed bed_to_press(bool quick) {
   const auto shape = thesis_grain(ThesisGrain::sphere);
   const UndampedBed pile = undamped_bed(shape, 0, quick ? 5 : 10, quick ? 6 : 12);
-  PressedBed bed{pile.settings, pile.grains, 0};
+  PistonBed bed{pile.settings, pile.grains, 0};
   engine::ContactParameters contact = pile.contact;
   contact.damping = 1e6 * shape.sphere_radius;
   bed.settings.contact = bierwisch_contact(contact, contact);
@@ -55,7 +55,7 @@ engine::WallBodySpec piston_above(double height) {
 /// A bed under a piston that is moved update by update.
 class Press {
  public:
-  explicit Press(const PressedBed& bed)
+  explicit Press(const PistonBed& bed)
       : simulation_(bed.settings, {floor_plate(), piston_above(bed.top)}),
         interval_(kStepsAnUpdate * bed.settings.time_step) {
     simulation_.add_grains(bed.grains);
@@ -93,7 +93,7 @@ class Press {
 };
 
 /// N/m, of the bed when it is let go by a fifth of `target` (N).
-double stiffness_at(const PressedBed& bed, double target) {
+double stiffness_at(const PistonBed& bed, double target) {
   constexpr double kSlow = 2e-3;  // m/s
   Press press(bed);
   press.set_rate(kSlow);
@@ -108,7 +108,7 @@ double stiffness_at(const PressedBed& bed, double target) {
 
 /// Scatter (N) of the force about its mean over the last quarter of `duration` (s), pressed to `target` (N)
 /// with `gain` (as a scene gives it); infinite where grains were ejected.
-double scatter(const PressedBed& bed, double target, double gain, double duration) {
+double scatter(const PistonBed& bed, double target, double gain, double duration) {
   ForceControl control;
   control.axis.direction = -Eigen::Vector3d::UnitZ();
   control.targets = {target};
@@ -134,7 +134,7 @@ double scatter(const PressedBed& bed, double target, double gain, double duratio
 }  // namespace
 
 void find_piston_limit(const ExperimentOptions& options, results::ExperimentResult& result) {
-  const PressedBed bed = bed_to_press(options.quick);
+  const PistonBed bed = bed_to_press(options.quick);
   const double duration = options.quick ? 0.1 : 0.2;
   results::ExperimentChart chart;
   chart.name = "piston_gain";

@@ -1,7 +1,5 @@
 #include "process/laboratory/stability/registry.h"
 
-#include "process/laboratory/stability/fluid_limit.h"
-
 namespace diefill::process::laboratory {
 
 const std::vector<Experiment>& stability_experiments() {

@@ -1,5 +1,5 @@
 // The experiments that compare walls of spheres with the exact surface. To add one: a file here with a
-// function like these, and its line in registry.cpp.
+// function like these, its declaration here and its line in registry.cpp.
 #pragma once
 
 #include "process/laboratory/experiment.h"

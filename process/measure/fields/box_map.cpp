@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -11,6 +10,7 @@
 #include "process/measure/fields/gaussian_field.h"
 #include "process/measure/fields/powder_places.h"
 #include "process/measure/tool_solids.h"
+#include "process/results/none.h"
 #include "process/results/places_without_value.h"
 
 namespace diefill::process {
@@ -18,7 +18,6 @@ namespace {
 
 constexpr double kMillimetre = 1e-3;
 constexpr double kMaxNodes = 120;  // along the longer side
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// The two axes that a map runs along and the one that it averages over.
 struct Axes {

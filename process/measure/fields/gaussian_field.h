@@ -22,7 +22,7 @@ class GaussianField {
   GaussianField(const results::PowderState& powder, const results::GrainSolidFraction& fraction,
                 double averaging_width);
 
-  /// Any value of all grains, closed cells or not; `values` one a grain.
+  /// Any value of all grains, closed cells or not; `values` one per grain.
   static GaussianField of_all_grains(const std::vector<Eigen::Vector3d>& centres, std::vector<double> values,
                                      double grain_diameter, double averaging_width,
                                      const Period& period = {});

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <stdexcept>
 
 #include "process/measure/cavity_position.h"
 #include "process/measure/figures/figures.h"
 #include "process/measure/weights.h"
+#include "process/results/none.h"
 
 namespace diefill::process {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMinOfASample = 3;
 constexpr double kSectors = 12;
 

@@ -5,10 +5,10 @@
 #include <limits>
 #include <stdexcept>
 
+#include "process/results/none.h"
+
 namespace diefill::process {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct MeanAndSpread {
   double mean = kNone, spread = kNone;

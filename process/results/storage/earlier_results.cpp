@@ -51,7 +51,7 @@ bool is_one_of(const std::string& name, const Names& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// `name` without what stands behind it where there are several: "_2" of sections, "_cavity_2" of cavities.
+/// `name` without what stands after it where there are several: "_2" of sections, "_cavity_2" of cavities.
 std::string without_number(std::string name) {
   const std::string cavity = "_cavity";
   const std::size_t end = name.find_last_not_of("0123456789");

@@ -11,8 +11,8 @@ namespace diefill::results {
 bool would_be_moved(const std::filesystem::path& directory, const std::filesystem::path& file);
 
 /// Moves what runs, films and `diefill map` have left in `directory`, known by the names that they give
-/// (those of pictures of one result, with or without a number behind), into its folder `previous-1`, or the
-/// first free number; other files stay, also other pictures. Nothing is deleted or replaced. Gives that
+/// (those of pictures of one result, with or without a number at the end), into its folder `previous-1`, or
+/// the first free number; other files stay, also other pictures. Nothing is deleted or replaced. Gives that
 /// folder; nothing where there is nothing to move. Throws ResultError where files cannot be moved.
 std::optional<std::filesystem::path> back_up_results(const std::filesystem::path& directory);
 

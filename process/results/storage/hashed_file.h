@@ -9,7 +9,7 @@
 namespace diefill::results {
 
 /// The contents with their hash (FNV-1a, 64 bits: any single changed byte changes it) in one line of text
-/// behind them.
+/// after them.
 std::string with_hash(std::string contents);
 
 /// Whether the file ends in such a line.

@@ -47,6 +47,14 @@ class QuietHdf5 {
   void* data_ = nullptr;
 };
 
+/// Texts of any length in UTF-8; to be closed by H5Tclose.
+inline hid_t text_type() {
+  const hid_t type = H5Tcopy(H5T_C_S1);
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
+}
+
 /// Number types of the schema: their type in memory and in the file.
 struct NumberType {
   hid_t memory, file;

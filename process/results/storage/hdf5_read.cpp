@@ -30,13 +30,6 @@ hid_t open_image(const std::filesystem::path& file, const std::string& bytes) {
   return id;
 }
 
-hid_t text_type() {
-  const hid_t type = H5Tcopy(H5T_C_S1);
-  H5Tset_size(type, H5T_VARIABLE);
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  return type;
-}
-
 bool is_text(hid_t type) {
   return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) > 0;
 }

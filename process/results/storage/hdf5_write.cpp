@@ -22,13 +22,6 @@ hid_t create_image() {
   return H5Fcreate("results.h5", H5F_ACC_TRUNC, creation.id(), access.id());
 }
 
-hid_t text_type() {
-  const hid_t type = H5Tcopy(H5T_C_S1);
-  H5Tset_size(type, H5T_VARIABLE);
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  return type;
-}
-
 void attach_text(hid_t object, const char* name, const char* text) {
   Hdf5Handle type(text_type(), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
   Hdf5Handle attribute(H5Acreate2(object, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "process/results/instant_powder.h"
 #include "process/results/storage/group_names.h"
 
 namespace diefill::results {
@@ -12,18 +13,6 @@ namespace {
 constexpr double kCellOverDiameter = 1.5;
 constexpr double kMaxCells = 1e6;
 constexpr double kRounding = 1e-9;  // m: a tool that moved less stands where it stood
-
-PowderState powder_at(const PowderState& end, const Instant& instant) {
-  PowderState powder = end;
-  powder.time = instant.time;
-  powder.id = instant.id;
-  powder.position = instant.position;
-  powder.orientation = instant.orientation;
-  powder.velocity = instant.velocity;
-  powder.angular_velocity.clear();
-  powder.kind = instant.kind;
-  return powder;
-}
 
 /// Empty where the tool has not moved.
 std::vector<Eigen::Vector3d> moved_vertices(const ToolState& tool, const Instant& instant,

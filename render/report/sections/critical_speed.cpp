@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "process/results/full_die.h"
+#include "process/results/none.h"
 #include "process/results/studies/quantiles.h"
 #include "render/report/figure_text.h"
 #include "render/report/numbers.h"
@@ -12,7 +13,6 @@
 namespace diefill::render::report {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNormalQuantile = 1.96;  // 95 %
 
 /// A straight line w = intercept + slope u through points.

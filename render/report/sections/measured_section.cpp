@@ -7,6 +7,7 @@
 #include <set>
 
 #include "process/results/figure_table.h"
+#include "process/results/none.h"
 #include "process/results/rounding.h"
 #include "render/report/numbers.h"
 #include "render/report/pictures_of.h"
@@ -15,8 +16,6 @@ namespace diefill::render::report {
 namespace {
 
 using results::MeasuredComparison;
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> differences(const MeasuredComparison& comparison) {
   std::vector<double> values;

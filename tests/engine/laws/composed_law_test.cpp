@@ -1,4 +1,4 @@
-// Laws put together: runtime choice against fixed parts, memory, loads, and combinations that are refused.
+// Laws put together: runtime choice against fixed parts, history, loads, and combinations that are refused.
 #include "law_test_support.h"
 
 namespace diefill::engine::laws {

@@ -28,7 +28,7 @@ class EdinburghCycle : public ::testing::TestWithParam<EdinburghBranch> {
   double least = 1.5 * std::numbers::pi * kSurface *
                  std::sqrt(2 * plastic * 0.5 * kRadius - plastic * plastic);  ///< N, f_min
   double least_at = std::pow(std::pow(plastic, n) - (least - kPullOff) / k2, 1 / n);
-  double limb = (least - kPullOff) / std::pow(least_at, n);
+  double k_adh = (least - kPullOff) / std::pow(least_at, n);
   double history[2] = {};
   double work = 0;
 
@@ -74,7 +74,7 @@ TEST_P(EdinburghCycle, ReachesTheMinimumForceOfTheSurfaceEnergyThenFollowsTheLim
   for (const double share : {0.9, 0.5, 0.1}) {
     const double h = share * least_at;
     const auto force = at(h);
-    EXPECT_NEAR(force.force, -kPullOff - limb * std::pow(h, n), 1e-9 * least);
+    EXPECT_NEAR(force.force, -kPullOff - k_adh * std::pow(h, n), 1e-9 * least);
     EXPECT_NEAR(force.limit, 0, 1e-12 * scale());
   }
   EXPECT_NEAR(at(1e-18).force, -kPullOff, 1e-9 * kPullOff);
@@ -86,7 +86,7 @@ TEST_P(EdinburghCycle, LeavesTheLimbAlongTheStiffBranch) {
   const double expected = here + k2 * (std::pow(h + step, n) - std::pow(h, n));
   EXPECT_NEAR(at(h + step).force, expected, 1e-10 * scale());
   EXPECT_NEAR(at(h).force, here, 1e-10 * scale());  // and comes back to it
-  EXPECT_NEAR(at(h + step).limit, expected + kPullOff + limb * std::pow(h + step, n), 1e-9 * scale());
+  EXPECT_NEAR(at(h + step).limit, expected + kPullOff + k_adh * std::pow(h + step, n), 1e-9 * scale());
 }
 
 TEST_P(EdinburghCycle, LosesTheAreaBetweenItsBranches) {
@@ -101,10 +101,10 @@ TEST_P(EdinburghCycle, LosesTheAreaBetweenItsBranches) {
   EXPECT_NEAR(taken - work, stored - part.energy(plastic, history), 1e-6 * taken);
   go(plastic, least_at, 40000);
   go(least_at, 0, 40000);
-  // f_0 is conservative; what is lost lies between k_1 and k_2 above, and k_2 and the limb below.
+  // f_0 is conservative; what is lost lies between k_1 and k_2 above, and k_2 and the adhesive branch below.
   const double given_back =
       area_below(k2, kDeepest) - area_below(k2, least_at) - k2 * std::pow(plastic, n) * (kDeepest - least_at);
-  const double lost = area_below(k1, kDeepest) - given_back + area_below(limb, least_at);
+  const double lost = area_below(k1, kDeepest) - given_back + area_below(k_adh, least_at);
   EXPECT_NEAR(work, lost, 2e-5 * taken);
 }
 

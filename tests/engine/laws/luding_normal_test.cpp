@@ -44,7 +44,7 @@ TEST_F(LudingCycle, UnloadsThroughTheExpectedZeroAndLimb) {
   EXPECT_DOUBLE_EQ(part.unloading_slope(deepest), slope);
   EXPECT_NEAR(at(zero).force, 0, 1e-10 * kK1 * deepest);
   EXPECT_NEAR(at(1.2 * zero).force, slope * 0.2 * zero, 1e-10 * kK1 * deepest);
-  // Most attractive where the unloading line meets the limb.
+  // Most attractive where the unloading line meets the cohesion branch.
   const double corner = slope / (slope + kKc) * zero;
   EXPECT_NEAR(at((1 + 1e-9) * corner).force, -kKc * corner, 1e-7 * kKc * corner);
   EXPECT_DOUBLE_EQ(history, deepest);
@@ -83,7 +83,7 @@ TEST_F(LudingCycle, BeyondThePlasticLimitOneSteepLineServes) {
   const double corner = kK2 / (kK2 + kKc) * zero;
   EXPECT_NEAR(at((1 - 1e-9) * corner).force, -kKc * corner, 1e-7 * kKc * corner);
   EXPECT_NEAR(at(0.5 * zero).force, -kKc * 0.5 * zero,
-              1e-12 * kK2 * kLimit);  // large overlaps have a limb, too
+              1e-12 * kK2 * kLimit);  // large overlaps have a cohesion branch, too
 }
 
 TEST_F(LudingCycle, EnergyIsWhatUnloadingGivesBack) {

@@ -1,4 +1,4 @@
-// What the parts say of themselves is true of what they do: memory that turns its sign, hysteresis, damping.
+// What the parts say of themselves is true of what they do: history that changes sign, hysteresis, damping.
 #include "engine/coarse_graining/general_contact_law.h"
 #include "law_test_support.h"
 #include "tests/engine/laws/source_laws.h"

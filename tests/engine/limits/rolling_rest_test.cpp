@@ -124,7 +124,7 @@ TEST(ConstantTorqueAtRest, HoldsASphereStill) {
   EXPECT_LT(std::abs(energy_balance_error(simulation)), 0.005);
 }
 
-// What contacts remember of the torque goes into a restart, and no order of threads shows in it.
+// The torque's history goes into a restart, and no order of threads shows in it.
 TEST(ConstantTorqueAtRest, ThreadsAndARestartChangeNoBit) {
   const auto law = soft(laws::LoadRolling::Parameters{.rolling_friction = 0.1}, false);
   auto whole = bed_of(soft_spheres(law), 5, 8), threaded = bed_of(soft_spheres(law, 2), 5, 8);

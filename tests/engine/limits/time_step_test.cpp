@@ -1,4 +1,4 @@
-// The critical time step: numbers of the physics reference (section 4.3), and steps beyond it that fail.
+// The critical time step: its closed forms, and steps beyond it that fail.
 #include "engine/limits/time_step.h"
 
 #include <gtest/gtest.h>

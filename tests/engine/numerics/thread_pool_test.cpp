@@ -86,7 +86,7 @@ TEST(ThreadPool, WakesThreadsThatHaveGoneToSleep) {
   EXPECT_EQ(done, 50);
 }
 
-/// First item of each worker, and behind the last one `count`.
+/// First item of each worker, and after the last one `count`.
 std::vector<std::size_t> borders_of(const LoopShares& shares, std::size_t count) {
   std::vector<std::size_t> borders = {0};
   shares.divide(count, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -100,8 +100,8 @@ TEST(LoopShares, BeginsWithEqualSharesAndFollowsWhatWorkersDid) {
   LoopShares shares(2);
   EXPECT_EQ(borders_of(shares, 10), (std::vector<std::size_t>{0, 5, 10}));
   for (int loop = 0; loop < 200; ++loop) {
-    shares.remember(0, 7, 10);
-    shares.remember(1, 3, 10);
+    shares.update(0, 7, 10);
+    shares.update(1, 3, 10);
   }
   EXPECT_EQ(borders_of(shares, 10), (std::vector<std::size_t>{0, 7, 10}));
   EXPECT_EQ(borders_of(shares, 100), (std::vector<std::size_t>{0, 70, 100}));
@@ -110,7 +110,7 @@ TEST(LoopShares, BeginsWithEqualSharesAndFollowsWhatWorkersDid) {
 TEST(LoopShares, AWorkerWithoutItemsLeavesAllToOthers) {
   LoopShares shares(3);
   for (int loop = 0; loop < 500; ++loop)
-    shares.remember(2, 0, 9), shares.remember(1, 9, 9), shares.remember(0, 0, 9);
+    shares.update(2, 0, 9), shares.update(1, 9, 9), shares.update(0, 0, 9);
   EXPECT_EQ(borders_of(shares, 9), (std::vector<std::size_t>{0, 0, 9, 9}));
 }
 

@@ -34,7 +34,7 @@ TEST(Transpose, LanesHoldOneNumberOfEachRecordAndComeBack) {
 }
 
 TEST(Transpose, ReadsThreeNumbersAndPutsZeroBehindThem) {
-  // Just as many as there are: what lies behind is the next grain's.
+  // Just as many as there are: what lies after is the next grain's.
   const std::vector<double> three = {1, 2, 3};
   Four numbers;
   load_three(numbers, three.data());

@@ -67,7 +67,7 @@ TEST(ContactSums, AddToOneSumWithoutTouchingItsNeighbours) {
   }
 }
 
-TEST(GrainPairTable, RemembersTouchingPairsInTheirOrderOnly) {
+TEST(GrainPairTable, KeepsHistoriesOfTouchingPairsOnlyInTheirOrder) {
   const double one[] = {1, 2, 3}, other[] = {4, 5, 6}, opposite[] = {-1, -1, -1};
   GrainPairTable table;
   table.start(3, 3);
@@ -82,7 +82,7 @@ TEST(GrainPairTable, RemembersTouchingPairsInTheirOrderOnly) {
   EXPECT_EQ(table.history_at(GrainPairTable::kNothing)[0], 0);
 }
 
-TEST(GrainPairTable, KeepsWhatPairsRememberAfterAStep) {
+TEST(GrainPairTable, TakesOverTheHistoriesOfAStep) {
   const double one[] = {1, 2, 3};
   GrainPairTable table;
   table.start(3, 3);
@@ -90,12 +90,12 @@ TEST(GrainPairTable, KeepsWhatPairsRememberAfterAStep) {
   table.add({0, 2}, nullptr, nullptr);
   table.add({1, 2}, nullptr, nullptr);
   table.finish();
-  std::vector<double> remembered(1, 99.0);
-  table.make_room_to_remember(remembered, 2);
-  ASSERT_EQ(remembered.size(), (2 + 1) * 3 + GrainPairTable::kSpare);
-  for (std::size_t k = 0; k < 6; ++k) remembered[3 + k] = 7.0 + static_cast<double>(k);
+  std::vector<double> next(1, 99.0);
+  table.make_room_for_history(next, 2);
+  ASSERT_EQ(next.size(), (2 + 1) * 3 + GrainPairTable::kSpare);
+  for (std::size_t k = 0; k < 6; ++k) next[3 + k] = 7.0 + static_cast<double>(k);
   table.touching = {0, 1, 1};
-  table.keep(remembered);
+  table.keep_history(next);
   EXPECT_EQ(table.history_at(GrainPairTable::kNothing)[0], 0);
   EXPECT_EQ(table.history_at(1)[0], 7.0);
   EXPECT_EQ(table.history_at(2)[2], 12.0);

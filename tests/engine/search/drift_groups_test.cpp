@@ -1,4 +1,4 @@
-// Grains that move together are grouped, and the list of near pairs holds every touching pair of groups that
+// Grains that move together are grouped, and the neighbour list holds every touching pair of groups that
 // pass each other, for as long as it lasts.
 #include "engine/search/drift_groups.h"
 

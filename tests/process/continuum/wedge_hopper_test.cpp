@@ -1,5 +1,5 @@
-// Jenike's hopper design against values that follow from the published shear tests (physics reference of
-// Kottlan, experiments 7).
+// Jenike's hopper design against values that follow from the published shear tests (Kottlan 2018, section
+// 3.4).
 #include "process/continuum/wedge_hopper.h"
 
 #include <gtest/gtest.h>

@@ -113,7 +113,7 @@ TEST(PartialVolumes, WhatLiesOutsideTheGridIsNotCounted) {
   EXPECT_NEAR(sum_of(field), powder.grain_solid_volume / 2, 1e-14);
 }
 
-/// Seven touching spheres a grain, turned at random, anywhere in a ring.
+/// Seven touching spheres per grain, turned at random, anywhere in a ring.
 results::PowderState clumps(int count, double inner, double outer, double depth) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> unit(0, 1), turn(-1, 1);

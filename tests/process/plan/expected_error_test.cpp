@@ -22,7 +22,7 @@ struct Run {
 
 constexpr std::size_t kFilled = 6, kUnevenness = 7, kMean = 9, kWalls = 10;  // columns of the table
 
-/// The runs of one cavity, with "(mesh)" behind its name or not, and powder; `column`: of the figure.
+/// The runs of one cavity, with "(mesh)" after its name or not, and powder; `column`: of the figure.
 std::vector<Run> runs_of(const std::string& cavity, const std::string& powder, std::size_t column) {
   std::ifstream file(std::string(DIEFILL_SOURCE_DIR) + "/process/plan/grain_size_errors.csv");
   std::vector<Run> runs;

@@ -205,7 +205,7 @@ std::vector<fs::path> sources_that_show_figures() {
   return files;
 }
 
-/// Labels as they stand in the table, with a capital, and with a unit behind them. Single words mean other
+/// Labels as they stand in the table, with a capital, and with a unit after them. Single words mean other
 /// things elsewhere.
 std::set<std::string> all_labels() {
   std::set<std::string> labels;

@@ -29,7 +29,7 @@ void expect_parts(const std::string& message, const std::vector<std::string>& pa
     EXPECT_NE(message.find(part), std::string::npos) << part << "\nin " << message;
 }
 
-/// Line of the faultless scene with something behind it on which the first appended line stands.
+/// Line of the faultless scene with something appended on which the first appended line stands.
 int lines_before() {
   const std::string text = faultless_scene();
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));

@@ -64,7 +64,7 @@ TEST_F(FieldPlaces, LookDifferentAndAreExplained) {
   EXPECT_GT(ink(picture.image, {30, picture.image.height() - 112, picture.image.width() - 60, 30}), 2000);
 }
 
-/// Lines round a rectangle, as tool_outlines() gives them: one a side, the same way round.
+/// Lines round a rectangle, as tool_outlines() gives them: one per side, the same way round.
 std::vector<Outline> rectangle(double left, double right, double bottom, double top) {
   const std::vector<Eigen::Vector2d> corners = {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
   std::vector<Outline> lines;

@@ -140,8 +140,9 @@ void add_surface(const results::PowderState& powder, const Eigen::AlignedBox3d& 
   }
 }
 
-results::ExperimentChart chart_of(const std::vector<Model>& models,
-                                  const std::vector<Eigen::AlignedBox3d>& heaps, const SeedResults& seed) {
+results::ExperimentChart angle_of_repose_chart(const std::vector<Model>& models,
+                                               const std::vector<Eigen::AlignedBox3d>& heaps,
+                                               const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "angle_of_repose";
   chart.title = "Surfaces of the heaps on slider and floor";
@@ -171,7 +172,7 @@ SceneChanges repose_changes(const LabSetting& setting, const LabPowder& powder, 
   changes.set += line("step.draw.distance", powder.size >= 0.9e-3 ? "\"10 mm\"" : "\"5 mm\"");
   changes.set += line("numerics.periodic", "{ y = " + millimetres(2 * half) + " }");
   if (!has_own_powder(setting))
-    changes.set += line("numerics.time_step", '"' + plain(2 * powder.size / powder.own_size) + " us\"");
+    changes.set += line("numerics.time_step", with_unit(2 * powder.size / powder.own_size, "us"));
   if (creeps) changes.set += creep_steps();
   return changes;
 }
@@ -205,7 +206,7 @@ LabPlan plan_angle_of_repose(const LabSetting& setting) {
   }
   if (!has_own_powder(setting)) add_effect_of_cohesion(plan);
   plan.charts = [models, heaps](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(models, heaps, seeds.front())};
+    return std::vector{angle_of_repose_chart(models, heaps, seeds.front())};
   };
   return plan;
 }

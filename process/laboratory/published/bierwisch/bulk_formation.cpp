@@ -50,20 +50,20 @@ std::string run_name(const Set& set, double scale) {
   return std::string(set.name) + ", d = " + plain(1e3 * kReference * scale) + " mm";
 }
 
-LabRun run_of(const Set& one, double scale) {
+LabRun bulk_formation_run(const Set& one, double scale) {
   const double width = kWidth * scale, half = 0.5 * width;
   LabRun run{run_name(one, scale), "bed.toml", {}};
   std::string& set = run.changes.set;
   set += line("powder.grain_diameter", millimetres(kReference * scale));
   set += line("powder.friction", plain(one.friction));
   if (one.held != std::string_view(kWork.held))
-    set += line("powder.work_of_adhesion", '"' + plain(one.work) + " J/m^2\"");
-  if (*one.held != '\0') set += line(one.held, '"' + plain(one.value / scale) + ' ' + one.unit + '"');
+    set += line("powder.work_of_adhesion", with_unit(one.work, "J/m^2"));
+  if (*one.held != '\0') set += line(one.held, with_unit(one.value / scale, one.unit));
   set += line("walls.sphere_radius", millimetres(7.84e-5 * scale));
   set += line("pour.from", point_in_millimetres(-half, -half, 0));
   set += line("pour.to", point_in_millimetres(half, half, kSlab));
   set += line("numerics.periodic", "{ x = " + millimetres(width) + ", y = " + millimetres(width) + " }");
-  set += line("numerics.time_step", '"' + plain(scale) + " us\"");
+  set += line("numerics.time_step", with_unit(scale, "us"));
   return run;
 }
 
@@ -210,7 +210,7 @@ LabPlan plan_bulk_formation(const LabSetting& setting) {
   const Sizes sizes = sizes_of(setting.size);
   LabPlan plan;
   for (const Set& set : kSets)
-    for (const double scale : {sizes.fine, sizes.coarse}) plan.runs.push_back(run_of(set, scale));
+    for (const double scale : {sizes.fine, sizes.coarse}) plan.runs.push_back(bulk_formation_run(set, scale));
   const std::string free = run_name(kFree, sizes.fine), cohesive = run_name(kCohesive, sizes.fine);
   const OfBed peak = [](const results::FillResult& bed) {
     return contact_statistics(bed.powder).peak_overlap;

@@ -34,7 +34,7 @@ std::string run_name(const Case& one, double scale) {
 }
 
 /// Coefficients are in proportion to the size, so one that is held is this much smaller over the radius.
-LabRun run_of(const Case& one, double scale) {
+LabRun clump_collision_run(const Case& one, double scale) {
   const auto length = [&](double millimetre) { return millimetres(1e-3 * millimetre * scale); };
   LabRun run{run_name(one, scale), "collision.toml", {}};
   std::string& set = run.changes.set;
@@ -42,11 +42,11 @@ LabRun run_of(const Case& one, double scale) {
   set += line("pour.from", '[' + length(-0.94) + ", " + length(-0.94) + ", " + length(2.82) + ']');
   set += line("pour.to", '[' + length(0.94) + ", " + length(0.94) + ", " + length(4.7) + ']');
   set += line("pour.fill_height", length(0.25));
-  set += line("step.2.duration", '"' + plain(3 * scale) + " ms\"");
-  set += line("probe.energy.interval", '"' + plain(1e6 * kInterval * scale) + " us\"");
-  set += line("numerics.time_step", '"' + plain(0.25 * scale) + " us\"");
+  set += line("step.2.duration", with_unit(3 * scale, "ms"));
+  set += line("probe.energy.interval", with_unit(1e6 * kInterval * scale, "us"));
+  set += line("numerics.time_step", with_unit(0.25 * scale, "us"));
   set += line("numerics.periodic", "{ x = " + length(1.9) + ", y = " + length(1.9) + " }");
-  if (*one.held != '\0') set += line(one.held, '"' + plain(one.value / scale) + ' ' + one.unit + '"');
+  if (*one.held != '\0') set += line(one.held, with_unit(one.value / scale, one.unit));
   return run;
 }
 
@@ -79,7 +79,7 @@ double largest_difference(const SeedResults& seed, const Case& one) {
   return peak > 0 ? most / peak : std::numeric_limits<double>::quiet_NaN();
 }
 
-results::ExperimentChart chart_of(const SeedResults& seed, const Case& one) {
+results::ExperimentChart clump_collision_chart(const SeedResults& seed, const Case& one) {
   results::ExperimentChart chart;
   chart.name = "clump_collision_" + std::string(one.id);
   chart.title = "Contact energy of colliding grains: " + std::string(one.name);
@@ -106,7 +106,7 @@ LabPlan plan_clump_collision(const LabSetting&) {
   for (const Case& one : kCases) {
     LabQuantity quantity{.id = one.id, .quantity = "", .unit = "", .runs = {}, .value = {}};
     for (const double scale : kScales) {
-      plan.runs.push_back(run_of(one, scale));
+      plan.runs.push_back(clump_collision_run(one, scale));
       quantity.runs.push_back(run_name(one, scale));
     }
     quantity.value = [&one](const SeedResults& seed) { return largest_difference(seed, one); };
@@ -114,7 +114,7 @@ LabPlan plan_clump_collision(const LabSetting&) {
   }
   plan.charts = [](const std::vector<SeedResults>& seeds) {
     std::vector<results::ExperimentChart> charts;
-    for (const Case& one : kCases) charts.push_back(chart_of(seeds.front(), one));
+    for (const Case& one : kCases) charts.push_back(clump_collision_chart(seeds.front(), one));
     return charts;
   };
   return plan;

@@ -39,7 +39,7 @@ SceneChanges changes_of(const LabSetting& setting, const Model& model) {
   changes.set += line("pour.to", point_in_millimetres(0.036, half, 0.046));
   changes.set += line("numerics.periodic", "{ y = " + millimetres(2 * half) + " }");
   if (!has_own_powder(setting))
-    changes.set += line("numerics.time_step", '"' + plain(2 * powder.size / powder.own_size) + " us\"");
+    changes.set += line("numerics.time_step", with_unit(2 * powder.size / powder.own_size, "us"));
   return changes;
 }
 
@@ -55,7 +55,8 @@ LabQuantity fraction_of(bool published, const std::string& id, const std::string
           }};
 }
 
-results::ExperimentChart chart_of(const std::vector<Model>& models, const std::vector<SeedResults>& seeds) {
+results::ExperimentChart mean_fractions_chart(const std::vector<Model>& models,
+                                              const std::vector<SeedResults>& seeds) {
   using Role = results::ExperimentSeries::Role;
   results::ExperimentChart chart;
   chart.name = "mean_fractions";
@@ -99,7 +100,7 @@ LabPlan plan_mean_fractions(const LabSetting& setting) {
     plan.quantities.push_back(fraction_of(published, model.moving, model.name, "moving"));
   }
   plan.charts = [models](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(models, seeds)};
+    return std::vector{mean_fractions_chart(models, seeds)};
   };
   return plan;
 }

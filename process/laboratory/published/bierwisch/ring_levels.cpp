@@ -26,7 +26,7 @@ std::string name_of(const char* diameter, const char* ring) {
   return std::string("d = ") + diameter + " mm, ring for " + ring + " mm";
 }
 
-LabRun run_of(const char* diameter, const char* ring) {
+LabRun ring_levels_run(const char* diameter, const char* ring) {
   LabRun run{name_of(diameter, ring), "../narrow_ring/fill.toml", {}};
   std::string& set = run.changes.set;
   set += line("powder.grain_diameter", std::string("\"") + diameter + " mm\"");
@@ -53,7 +53,7 @@ double mean_level(const SeedResults& seed, const std::string& run) {
   return sum / static_cast<double>(level->y.size());
 }
 
-results::ExperimentChart chart_of(const std::vector<std::string>& runs, const SeedResults& seed) {
+results::ExperimentChart ring_levels_chart(const std::vector<std::string>& runs, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "ring_levels";
   chart.title = "Fill level of a narrow ring over the azimuth";
@@ -75,8 +75,8 @@ LabPlan plan_ring_levels(const LabSetting& setting) {
   const Sizes sizes = sizes_of(setting.size);
   LabPlan plan;
   for (const char* diameter : {sizes.fine, sizes.coarse}) {
-    plan.runs.push_back(run_of(diameter, kFixed));
-    if (std::string(diameter) != kFixed) plan.runs.push_back(run_of(diameter, diameter));
+    plan.runs.push_back(ring_levels_run(diameter, kFixed));
+    if (std::string(diameter) != kFixed) plan.runs.push_back(ring_levels_run(diameter, diameter));
   }
   const std::string fine = name_of(sizes.fine, kFixed), coarse = name_of(sizes.coarse, kFixed),
                     wide_fine = name_of(sizes.fine, sizes.fine),
@@ -107,7 +107,7 @@ LabPlan plan_ring_levels(const LabSetting& setting) {
          .value = [name = run.name](const SeedResults& seed) { return mean_level(seed, name); }});
   }
   plan.charts = [runs](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(runs, seeds.front())};
+    return std::vector{ring_levels_chart(runs, seeds.front())};
   };
   return plan;
 }

@@ -1,5 +1,5 @@
 // How a narrow ring fills in time (Bierwisch 2009, section 6.4): one passage at 0.09 m/s, looked at 100 + 150
-// n ms after the shoe's front has reached azimuth 0 [assumed], and 50 ms before each; and how deep later
+// n ms after the shoe's front has reached azimuth 0 (assumed), and 50 ms before each; and how deep later
 // passages at 0.2 m/s move the powder. Coarse: d = 1.88 mm in a ring of 4.46 mm; the other sizes: 0.94 mm in
 // one of 3.15 mm.
 #include "process/laboratory/published/bierwisch/ring_motion.h"

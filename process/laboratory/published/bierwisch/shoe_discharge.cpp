@@ -85,8 +85,8 @@ double share_between(const SeedResults& seed, const std::vector<double>& speeds)
   return between / all;
 }
 
-results::ExperimentChart chart_of(const std::vector<Model>& models, double width,
-                                  const std::vector<double>& speeds, const SeedResults& seed) {
+results::ExperimentChart shoe_discharge_chart(const std::vector<Model>& models, double width,
+                                              const std::vector<double>& speeds, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "shoe_discharge_" + plain(1e3 * width) + "mm";
   chart.title = "Discharge of the shoe through a slit of " + plain(1e3 * width) + " mm";
@@ -169,8 +169,8 @@ LabPlan plan_shoe_discharge(const LabSetting& setting) {
     plan.quantities.push_back(order);
   }
   plan.charts = [models, speeds](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(models, kNarrow, speeds, seeds.front()),
-                       chart_of(models, kWide, speeds, seeds.front())};
+    return std::vector{shoe_discharge_chart(models, kNarrow, speeds, seeds.front()),
+                       shoe_discharge_chart(models, kWide, speeds, seeds.front())};
   };
   return plan;
 }

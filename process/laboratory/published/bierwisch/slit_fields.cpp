@@ -3,11 +3,11 @@
 // it. Means over grains at five instants of the middle half of the passage, at rest with the slit.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/experiments.h"
+#include "process/results/none.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -15,7 +15,6 @@ namespace {
 constexpr double kWidth = 0.010, kInside = 0.032;  // m, slit, shoe
 constexpr double kSlow = 0.18, kFast = 0.4;        // m/s
 constexpr int kInstants = 5;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct Model {
   const char* name;

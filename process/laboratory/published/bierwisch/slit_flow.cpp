@@ -10,12 +10,12 @@
 #include "process/laboratory/published/experiments.h"
 #include "process/powder/empty_annulus.h"
 #include "process/results/figure_table.h"
+#include "process/results/none.h"
 
 namespace diefill::process::laboratory {
 namespace {
 
 constexpr double kSpeed = 0.18;  // m/s
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// A case of Table C.3.
 struct Case {
@@ -58,11 +58,10 @@ SlitPassage passage_of(const LabSetting& setting, double width) {
   return passage;
 }
 
-LabRun run_of(const LabSetting& setting, const Case& one, double scale, double width) {
+LabRun slit_flow_run(const LabSetting& setting, const Case& one, double scale, double width) {
   LabPowder powder = lab_powder(setting, one.preset, scale);
   powder.changes.set += one.set;
-  if (one.fixed_work)
-    powder.changes.set += line("powder.work_of_adhesion", '"' + plain(0.01 / scale) + " J/m^2\"");
+  if (one.fixed_work) powder.changes.set += line("powder.work_of_adhesion", with_unit(0.01 / scale, "J/m^2"));
   return {run_name(one, scale, width), "slit.toml",
           slit_changes(setting, powder, passage_of(setting, width))};
 }
@@ -113,7 +112,8 @@ results::ExperimentSeries one_curve(const std::vector<results::ExperimentSeries>
   return curve;
 }
 
-results::ExperimentChart chart_of(const LabSetting& setting, const Case& one, const SeedResults& seed) {
+results::ExperimentChart slit_flow_chart(const LabSetting& setting, const Case& one,
+                                         const SeedResults& seed) {
   const SlitPoints points = points_of(seed, setting, one);
   const SlitOffset offset = fitted_offset(points);
   results::ExperimentChart chart;
@@ -203,7 +203,7 @@ LabPlan plan_slit_flow(const LabSetting& setting) {
     std::vector<std::string> runs;
     for (const double scale : one.scales)
       for (const double width : one.widths) {
-        plan.runs.push_back(run_of(setting, one, scale, width));
+        plan.runs.push_back(slit_flow_run(setting, one, scale, width));
         runs.push_back(plan.runs.back().name);
       }
     if (!one.fixed_work) add_collapse(setting, one, runs, plan);
@@ -213,7 +213,7 @@ LabPlan plan_slit_flow(const LabSetting& setting) {
   plan.charts = [cases, setting](const std::vector<SeedResults>& seeds) {
     std::vector<results::ExperimentChart> charts;
     for (const Case& one : cases)
-      if (!one.fixed_work) charts.push_back(chart_of(setting, one, seeds.front()));
+      if (!one.fixed_work) charts.push_back(slit_flow_chart(setting, one, seeds.front()));
     return charts;
   };
   return plan;

@@ -7,6 +7,7 @@
 #include "process/continuum/discharge.h"
 #include "process/powder/empty_annulus.h"
 #include "process/results/figure_table.h"
+#include "process/results/none.h"
 #include "process/results/storage/result_file.h"
 
 namespace diefill::process::laboratory {
@@ -16,7 +17,6 @@ constexpr double kUsual = 0.032, kWall = 0.003;  // m, of the shoe: inside and w
 constexpr double kAcceleration = 10;             // m/s^2
 constexpr double kMargin = 1e-3;                 // m, between slit and shoe
 constexpr double kPublishedStep = 2e-6;          // s, at the published grain size
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// m, where the shoe's middle starts.
 double start_of(const SlitPassage& passage) {
@@ -75,12 +75,12 @@ SceneChanges slit_changes(const LabSetting& setting, const LabPowder& powder, co
   changes.set += line("pour.from", point_in_millimetres(start - 0.5 * passage.inside, -half, 0));
   changes.set += line("pour.to", point_in_millimetres(start + 0.5 * passage.inside, half, 0.046));
   changes.set += line("pour.fill_height", millimetres(passage.fill));
-  changes.set += line("step.passage.velocity", '"' + plain(passage.speed) + " m/s\"");
+  changes.set += line("step.passage.velocity", with_unit(passage.speed, "m/s"));
   changes.set += line("step.passage.travel", millimetres(travel));
   changes.set += line("numerics.periodic", "{ y = " + millimetres(2 * half) + " }");
   if (!has_own_powder(setting))
-    changes.set += line("numerics.time_step",
-                        '"' + plain(1e6 * kPublishedStep * powder.size / powder.own_size) + " us\"");
+    changes.set +=
+        line("numerics.time_step", with_unit(1e6 * kPublishedStep * powder.size / powder.own_size, "us"));
   return changes;
 }
 

@@ -61,11 +61,11 @@ void add_case(const LabSetting& setting, const Case& one, LabPlan& plan) {
   SceneChanges changes = slit_changes(setting, powder, passage);
   changes.set += one.set;
   const std::string usual =
-      line("numerics.time_step", '"' + plain(1e6 * kUsualStep * powder.size / powder.own_size) + " us\"");
+      line("numerics.time_step", with_unit(1e6 * kUsualStep * powder.size / powder.own_size, "us"));
   if (const auto at = changes.set.find(usual); at != std::string::npos)
     changes.set.replace(
         at, usual.size(),
-        line("numerics.time_step", '"' + plain(1e6 * one.step * powder.size / powder.own_size) + " us\""));
+        line("numerics.time_step", with_unit(1e6 * one.step * powder.size / powder.own_size, "us")));
   const std::string run = one.name;
   plan.runs.push_back({run, "slit.toml", changes});
   plan.quantities.push_back({.id = "fraction, " + run,

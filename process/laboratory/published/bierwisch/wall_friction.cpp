@@ -6,13 +6,13 @@
 // plate's spheres are enlarged with the grains.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/dosta/bulk_curves.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/run_series.h"
 #include "process/results/figure_table.h"
+#include "process/results/none.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -24,7 +24,6 @@ constexpr double kWallRadius = 1.5e-4;              // m, R_w at the published g
 constexpr double kLid = 0.031, kStress = 1000;      // m along the motion, Pa
 constexpr double kSpeed = 0.2, kLeftOut = 0.4;      // m/s; of the way, before forces are looked at
 constexpr double kWay = 0.040;                      // m
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::string name_of(double friction, double spacing) {
   return "mu_w = " + plain(friction) + ", spacing " + plain(spacing) + " R_w";
@@ -40,10 +39,10 @@ LabRun drag_of(const LabSetting& setting, double friction, double spacing) {
   set += line("tool.plate.sphere_radius", millimetres(kWallRadius * powder.size / powder.own_size));
   set += line("tool.plate.spacing", plain(spacing));
   set += line("tool.plate.friction", plain(friction));
-  set += line("step.press.force", '"' + plain(kStress * kLid * 2 * half) + " N\"");
+  set += line("step.press.force", with_unit(kStress * kLid * 2 * half, "N"));
   set += line("numerics.periodic", "{ y = " + millimetres(2 * half) + " }");
   if (!has_own_powder(setting))
-    set += line("numerics.time_step", '"' + plain(2 * powder.size / powder.own_size) + " us\"");
+    set += line("numerics.time_step", with_unit(2 * powder.size / powder.own_size, "us"));
   return run;
 }
 
@@ -77,7 +76,7 @@ double mean_over_friction(const SeedResults& seed, double spacing) {
   return sum / static_cast<double>(std::size(kFrictions));
 }
 
-results::ExperimentChart chart_of(const SeedResults& seed) {
+results::ExperimentChart wall_friction_chart(const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "wall_friction";
   chart.title = "Effective friction of walls of spheres";
@@ -134,7 +133,9 @@ LabPlan plan_wall_friction(const LabSetting& setting) {
          .unit = "1",
          .runs = {run},
          .value = [run](const SeedResults& seed) { return effective_friction(seed, run); }});
-  plan.charts = [](const std::vector<SeedResults>& seeds) { return std::vector{chart_of(seeds.front())}; };
+  plan.charts = [](const std::vector<SeedResults>& seeds) {
+    return std::vector{wall_friction_chart(seeds.front())};
+  };
   return plan;
 }
 

@@ -37,13 +37,13 @@ double time_above(const Bed& bed) {
   return (speed_above(bed) - kSpeed) / kGravity;
 }
 
-LabRun run_of(const Bed& bed, LabSize size) {
+LabRun ball_impact_run(const Bed& bed, LabSize size) {
   LabRun run{run_name(bed), "impact.toml", {}};
   std::string& set = run.changes.set;
   set += line("pour.grains_file", "\"dosta/impact_" + std::to_string(bed.grains) + ".csv\"");
   if (size == LabSize::published) return run;
   const bool coarse = size == LabSize::coarse;
-  set += line("step.fall.duration", '"' + plain(bed.shortest - (coarse ? time_above(bed) : 0)) + " s\"");
+  set += line("step.fall.duration", with_unit(bed.shortest - (coarse ? time_above(bed) : 0), "s"));
   if (!coarse) return run;
   set += line("numerics.time_step", "\"1 us\"");
   set += line("tool.ball.position", point_in_millimetres(0, 0, bed.above_bed));
@@ -78,7 +78,8 @@ double farthest_from_codes(const TimeCurve& curve, const std::vector<CodeCurve>&
   return farthest;
 }
 
-results::ExperimentChart chart_of(const Bed& bed, const LabSetting& setting, const SeedResults& seed) {
+results::ExperimentChart ball_impact_chart(const Bed& bed, const LabSetting& setting,
+                                           const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "ball_impact_" + std::to_string(bed.grains);
   chart.title = "Steel ball falling into " + run_name(bed);
@@ -129,13 +130,13 @@ void add_quantities(const Bed& bed, const LabSetting& setting, LabPlan& plan) {
 LabPlan plan_ball_impact(const LabSetting& setting) {
   LabPlan plan;
   for (const Bed& bed : kBeds) {
-    plan.runs.push_back(run_of(bed, setting.size));
+    plan.runs.push_back(ball_impact_run(bed, setting.size));
     add_quantities(bed, setting, plan);
   }
   plan.charts = [setting](const std::vector<SeedResults>& seeds) {
     std::vector<results::ExperimentChart> charts;
     for (const Bed& bed : kBeds)
-      if (seeds.front().has(run_name(bed))) charts.push_back(chart_of(bed, setting, seeds.front()));
+      if (seeds.front().has(run_name(bed))) charts.push_back(ball_impact_chart(bed, setting, seeds.front()));
     return charts;
   };
   return plan;

@@ -1,19 +1,13 @@
 #include "process/laboratory/published/dosta/bulk_curves.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "process/laboratory/published/csv_rows.h"
 #include "process/measure/figures/line_fit.h"
+#include "process/results/none.h"
 #include "process/results/storage/result_file.h"
 
 namespace diefill::process::laboratory {
-namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 std::vector<CodeCurve> code_curves(const std::filesystem::path& scenes, const std::string& name) {
   const std::filesystem::path file = scenes / "dosta/curves.csv";
   std::vector<CodeCurve> curves;

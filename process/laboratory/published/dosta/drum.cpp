@@ -36,7 +36,7 @@ TimeCurve in_quarter(const SeedResults& seed, const std::string& material) {
   return curve;
 }
 
-results::ExperimentChart chart_of(const SeedResults& seed) {
+results::ExperimentChart drum_chart(const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "drum";
   chart.title = "Grains in a quarter of the rotating drum";
@@ -57,8 +57,8 @@ LabPlan plan_drum(const LabSetting& setting) {
   const double length = length_of(setting.size);
   LabPlan plan;
   LabRun run{kRun, "drum.toml", {}};
-  run.changes.set += line("step.turn.duration", '"' + plain(length) + " s\"");
-  run.changes.set += line("measure.snapshot_interval", '"' + plain(length / 50) + " s\"");
+  run.changes.set += line("step.turn.duration", with_unit(length, "s"));
+  run.changes.set += line("measure.snapshot_interval", with_unit(length / 50, "s"));
   if (setting.size == LabSize::coarse) run.changes.set += line("numerics.time_step", kCoarseStep);
   plan.runs.push_back(run);
   for (const char* material : kMaterials)
@@ -70,7 +70,7 @@ LabPlan plan_drum(const LabSetting& setting) {
          .value = [=](const SeedResults& seed) {
            return value_at(in_quarter(seed, material), length * (1 - 1e-6));
          }});
-  plan.charts = [](const std::vector<SeedResults>& seeds) { return std::vector{chart_of(seeds.front())}; };
+  plan.charts = [](const std::vector<SeedResults>& seeds) { return std::vector{drum_chart(seeds.front())}; };
   return plan;
 }
 

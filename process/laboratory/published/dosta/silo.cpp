@@ -33,7 +33,7 @@ Window window_of(LabSize size) {
   return {100000, false, 0.5, 3.5, 5};
 }
 
-LabRun run_of(const Opening& opening, LabSize size) {
+LabRun silo_run(const Opening& opening, LabSize size) {
   const Window window = window_of(size);
   LabRun run{opening.name, "silo.toml", {}};
   std::string& set = run.changes.set;
@@ -41,7 +41,7 @@ LabRun run_of(const Opening& opening, LabSize size) {
   set += line("tool.gate.position", point_in_millimetres(0, 0, -1e-3 * opening.lip));
   set += line("probe.lip.origin", point_in_millimetres(0, 0, -1e-3 * opening.lip));
   set += line("pour.fill_height", millimetres(0.2849517e-5 * window.grains));
-  set += line("step.discharge.duration", '"' + plain(window.length) + " s\"");
+  set += line("step.discharge.duration", with_unit(window.length, "s"));
   if (!window.soft) return run;
   set += line("numerics.time_step", "\"15 us\"");
   set += line("contact.normal.modulus", "\"5.208333 MPa\"");
@@ -65,7 +65,7 @@ double rate(const SeedResults& seed, const Opening& opening, const Window& windo
   return slope_of(discharged(seed, opening), window.from, window.to);
 }
 
-results::ExperimentChart chart_of(const LabSetting& setting, const SeedResults& seed) {
+results::ExperimentChart silo_chart(const LabSetting& setting, const SeedResults& seed) {
   const Window window = window_of(setting.size);
   results::ExperimentChart chart;
   chart.name = "silo";
@@ -98,7 +98,7 @@ LabPlan plan_silo(const LabSetting& setting) {
   const Opening &large = kOpenings[0], &small = kOpenings[1];
   const Window window = window_of(setting.size);
   LabPlan plan;
-  for (const Opening& opening : kOpenings) plan.runs.push_back(run_of(opening, setting.size));
+  for (const Opening& opening : kOpenings) plan.runs.push_back(silo_run(opening, setting.size));
   plan.quantities.push_back({.id = "DOS-SL",
                              .quantity = "",
                              .unit = "",
@@ -117,7 +117,7 @@ LabPlan plan_silo(const LabSetting& setting) {
                                return rate(seed, large, window) / rate(seed, small, window);
                              }});
   plan.charts = [setting](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(setting, seeds.front())};
+    return std::vector{silo_chart(setting, seeds.front())};
   };
   return plan;
 }

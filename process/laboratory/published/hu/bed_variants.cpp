@@ -50,7 +50,7 @@ InsertedBed bed_of(const Change& change, LabSize size) {
   return bed;
 }
 
-results::ExperimentChart chart_of(const SeedResults& seed) {
+results::ExperimentChart bed_variants_chart(const SeedResults& seed) {
   using Role = results::ExperimentSeries::Role;
   results::ExperimentChart chart;
   chart.name = "bed_variants";
@@ -79,7 +79,9 @@ LabPlan plan_bed_variants(const LabSetting& setting) {
           std::tuple("kinetic energy over m g d", "1", &BedFigures::kinetic)})
       plan.quantities.push_back(own_figure(change.name, what, unit, kLow, kHigh, figure));
   }
-  plan.charts = [](const std::vector<SeedResults>& seeds) { return std::vector{chart_of(seeds.front())}; };
+  plan.charts = [](const std::vector<SeedResults>& seeds) {
+    return std::vector{bed_variants_chart(seeds.front())};
+  };
   return plan;
 }
 

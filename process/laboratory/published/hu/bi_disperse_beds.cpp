@@ -61,7 +61,7 @@ double segregation(const SeedResults& seed, const std::string& run) {
   return largest;
 }
 
-results::ExperimentChart chart_of(const Sizes& sizes, const SeedResults& seed) {
+results::ExperimentChart bi_disperse_beds_chart(const Sizes& sizes, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "bi_disperse_shares";
   chart.title = "Share of small spheres over the height of the bed";
@@ -125,7 +125,7 @@ LabPlan plan_bi_disperse_beds(const LabSetting& setting) {
     plan.quantities.push_back(own_figure(run.name, "contacts", "1", kLow, kHigh, &BedFigures::contacts));
   }
   plan.charts = [sizes](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(sizes, seeds.front())};
+    return std::vector{bi_disperse_beds_chart(sizes, seeds.front())};
   };
   return plan;
 }

@@ -12,7 +12,7 @@ namespace {
 constexpr double kYoung = 1e7, kPoisson = 0.3, kFriction = 0.3;  // Pa
 
 std::string pascal(double value) {
-  return '"' + plain(value) + " Pa\"";
+  return with_unit(value, "Pa");
 }
 
 double shear_modulus() {
@@ -60,7 +60,7 @@ std::string cohesive_lines(const CohesiveSpheres& spheres) {
   const double modulus = engine::laws::contact_modulus(kYoung, kPoisson, kYoung, kPoisson);
   std::string set = line("powder.sphere_radius", millimetres(0.5 * mean));
   set += line("powder.grain_mass",
-              '"' + plain(kCohesiveDensity * std::numbers::pi / 6 * mean * mean * mean) + " kg\"");
+              with_unit(kCohesiveDensity * std::numbers::pi / 6 * mean * mean * mean, "kg"));
   set += size_lines(spheres);
   set += line("contact.coarse_graining", "\"Hu chapter 5 method " + std::to_string(spheres.method) + '"');
   set += line("contact.normal", "{ law = \"JKR\", modulus = " + pascal(modulus) + ", surface_energy = \"" +

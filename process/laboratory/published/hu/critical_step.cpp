@@ -5,11 +5,11 @@
 // 40 d, 0.2 s l.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "process/laboratory/published/dosta/bulk_curves.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
+#include "process/results/none.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -18,7 +18,6 @@ constexpr double kDiameter = 5e-4, kFraction = 0.3;  // m; solid
 constexpr double kEnlargements[] = {1, 2, 4};
 constexpr double kAllowedGain = 0.01, kGainTime = 0.1;  // of the first kinetic energy, in so many s l
 constexpr double kLeftOut = 0.1;                        // of the run, before energy is looked at
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct Box {
   double width;     ///< d
@@ -49,11 +48,7 @@ std::vector<std::string> runs_of(LabSize size, double l) {
   return runs;
 }
 
-std::string with_unit(double value, const char* unit) {
-  return '"' + plain(value) + ' ' + unit + '"';
-}
-
-LabRun run_of(const Box& box, double l, double step) {
+LabRun critical_step_run(const Box& box, double l, double step) {
   const double width = box.width * kDiameter * l, half = 0.5 * width, inside = half - 0.01 * kDiameter * l;
   LabRun run{name_of(l, step), "periodic_box.toml", {}};
   std::string& set = run.changes.set;
@@ -106,7 +101,7 @@ double critical_step(const SeedResults& seed, LabSize size, double l) {
   return kNone;
 }
 
-results::ExperimentChart chart_of(LabSize size, const SeedResults& seed) {
+results::ExperimentChart critical_step_chart(LabSize size, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "critical_step";
   chart.title = "Energy gain over the time step";
@@ -135,7 +130,7 @@ LabPlan plan_critical_step(const LabSetting& setting) {
   const Box box = box_of(size);
   LabPlan plan;
   for (const double l : kEnlargements)
-    for (const double step : steps(size)) plan.runs.push_back(run_of(box, l, step));
+    for (const double step : steps(size)) plan.runs.push_back(critical_step_run(box, l, step));
   auto both = runs_of(size, 1);
   for (const auto& run : runs_of(size, 4)) both.push_back(run);
   plan.quantities.push_back({.id = "BOX-theory",
@@ -153,7 +148,7 @@ LabPlan plan_critical_step(const LabSetting& setting) {
          .runs = runs_of(size, l),
          .value = [size, l](const SeedResults& seed) { return critical_step(seed, size, l); }});
   plan.charts = [size](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(size, seeds.front())};
+    return std::vector{critical_step_chart(size, seeds.front())};
   };
   return plan;
 }

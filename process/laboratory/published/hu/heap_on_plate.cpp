@@ -49,8 +49,8 @@ LabRun heap_of(const Case& one) {
   spheres.sizes = {{kDiameter, 1}};
   LabRun run{name_of(one), "heap.toml", {cohesive_lines(spheres), {}}};
   const double entering = (1 - kPouredShare) * kMass;
-  run.changes.set += line("step.insert.mass", '"' + plain(entering) + " kg\"");
-  run.changes.set += line("step.insert.rate", '"' + plain(entering / kTime) + " kg/s\"");
+  run.changes.set += line("step.insert.mass", with_unit(entering, "kg"));
+  run.changes.set += line("step.insert.rate", with_unit(entering / kTime, "kg/s"));
   return run;
 }
 
@@ -95,7 +95,7 @@ results::ExperimentSeries surface_of(const SeedResults& seed, const Case& one) {
   return series;
 }
 
-results::ExperimentChart chart_of(const std::vector<Case>& cases, const SeedResults& seed) {
+results::ExperimentChart heap_on_plate_chart(const std::vector<Case>& cases, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "heap_on_plate";
   chart.title = "Heaps on a plate of 56 mm";
@@ -159,7 +159,7 @@ LabPlan plan_heap_on_plate(const LabSetting& setting) {
                                .runs = {name_of(one)},
                                .value = [one](const SeedResults& seed) { return angle_of(seed, one); }});
   plan.charts = [cases](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(cases, seeds.front())};
+    return std::vector{heap_on_plate_chart(cases, seeds.front())};
   };
   return plan;
 }

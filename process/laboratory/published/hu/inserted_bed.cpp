@@ -13,14 +13,6 @@ constexpr double kPouredShare = 0.01;  // of the powder, so that the scene has a
 constexpr double kPouredFraction = 0.3;
 constexpr const char* kBed = "bed";  // the snapshot
 
-std::string seconds(double value) {
-  return '"' + plain(value) + " s\"";
-}
-
-std::string kilograms(double value) {
-  return '"' + plain(value) + " kg\"";
-}
-
 }  // namespace
 
 Insertion of_width(Insertion insertion, double width) {
@@ -46,12 +38,12 @@ LabRun run_of(const InsertedBed& bed) {
   set += line("pour.solid_fraction", plain(kPouredFraction));
   set += line("step.insert.from", point_in_millimetres(-region, -region, in.from));
   set += line("step.insert.to", point_in_millimetres(region, region, in.to));
-  set += line("step.insert.mass", kilograms(entering));
+  set += line("step.insert.mass", with_unit(entering, "kg"));
   if (in.time > 0)
-    set += line("step.insert.rate", '"' + plain(entering / in.time) + " kg/s\"");
+    set += line("step.insert.rate", with_unit(entering / in.time, "kg/s"));
   else
     run.changes.without.emplace_back("step.insert.rate");
-  set += line("step.rest.duration", seconds(in.rest));
+  set += line("step.rest.duration", with_unit(in.rest, "s"));
   set +=
       line("numerics.periodic", "{ x = " + millimetres(in.width) + ", y = " + millimetres(in.width) + " }");
   return run;

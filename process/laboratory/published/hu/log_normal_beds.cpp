@@ -167,7 +167,7 @@ void add_trends(LabSize size, LabPlan& plan) {
       quantity("LN-trend", "", all, [all](const SeedResults& seed) { return share_of_steps(seed, all); }));
 }
 
-results::ExperimentChart chart_of(LabSize size, const SeedResults& seed, bool contacts) {
+results::ExperimentChart log_normal_beds_chart(LabSize size, const SeedResults& seed, bool contacts) {
   using Role = results::ExperimentSeries::Role;
   results::ExperimentChart chart;
   chart.name = contacts ? "log_normal_contacts" : "log_normal_density";
@@ -238,7 +238,8 @@ LabPlan plan_log_normal_beds(const LabSetting& setting) {
     plan.quantities.push_back(own_figure(name_of(one), "contacts", "1", kLow, kHigh, &BedFigures::contacts));
   }
   plan.charts = [size](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(size, seeds.front(), false), chart_of(size, seeds.front(), true)};
+    return std::vector{log_normal_beds_chart(size, seeds.front(), false),
+                       log_normal_beds_chart(size, seeds.front(), true)};
   };
   return plan;
 }

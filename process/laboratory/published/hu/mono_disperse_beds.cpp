@@ -81,7 +81,8 @@ double loosening(const SeedResults& seed, const std::vector<Case>& cases) {
   return fallen / static_cast<double>(cases.size() - 1);
 }
 
-results::ExperimentChart chart_of(const std::vector<Case>& cases, const SeedResults& seed, bool contacts) {
+results::ExperimentChart mono_disperse_beds_chart(const std::vector<Case>& cases, const SeedResults& seed,
+                                                  bool contacts) {
   using Role = results::ExperimentSeries::Role;
   results::ExperimentChart chart;
   chart.name = contacts ? "mono_disperse_contacts" : "mono_disperse_density";
@@ -189,7 +190,8 @@ LabPlan plan_mono_disperse_beds(const LabSetting& setting) {
         own_figure(name_of(one), "kinetic energy over m g d", "1", kLow, kHigh, &BedFigures::kinetic));
   }
   plan.charts = [cases](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(cases, seeds.front(), false), chart_of(cases, seeds.front(), true)};
+    return std::vector{mono_disperse_beds_chart(cases, seeds.front(), false),
+                       mono_disperse_beds_chart(cases, seeds.front(), true)};
   };
   return plan;
 }

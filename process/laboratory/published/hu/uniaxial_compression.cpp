@@ -3,10 +3,10 @@
 // sizes are l = 4 against 2, as l = 1 takes 1.6e11 sphere-steps.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
+#include "process/results/none.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -14,7 +14,6 @@ namespace {
 constexpr double kDiameter = 5e-4, kWidth = 0.014;  // m, original spheres; period
 constexpr double kTouch = 100;                      // Pa, where strain begins
 constexpr double kAbove = 1.02;                     // fill heights: above the bed, denser than it is poured
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct Sizes {
   double reference, enlarged;  ///< l
@@ -30,7 +29,7 @@ std::string run_name(int method, double enlargement) {
   return "method " + std::to_string(method) + ", l = " + plain(enlargement);
 }
 
-LabRun run_of(int method, double enlargement, double fill) {
+LabRun uniaxial_compression_run(int method, double enlargement, double fill) {
   LabRun run{run_name(method, enlargement), "compression.toml", {}};
   std::string& set = run.changes.set;
   set += line("powder.grain_diameter", millimetres(kDiameter * enlargement));
@@ -89,7 +88,7 @@ double mean_difference(const Curve& curve, const Curve& reference) {
   return count > 0 ? sum / count : kNone;
 }
 
-results::ExperimentChart chart_of(const Sizes& sizes, const SeedResults& seed) {
+results::ExperimentChart uniaxial_compression_chart(const Sizes& sizes, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "uniaxial_compression";
   chart.title = "Stress of a bed under uniaxial compression";
@@ -112,8 +111,9 @@ results::ExperimentChart chart_of(const Sizes& sizes, const SeedResults& seed) {
 LabPlan plan_uniaxial_compression(const LabSetting& setting) {
   const Sizes sizes = sizes_of(setting.size);
   LabPlan plan;
-  plan.runs.push_back(run_of(1, sizes.reference, sizes.fill));
-  for (const int method : {1, 2, 3}) plan.runs.push_back(run_of(method, sizes.enlarged, sizes.fill));
+  plan.runs.push_back(uniaxial_compression_run(1, sizes.reference, sizes.fill));
+  for (const int method : {1, 2, 3})
+    plan.runs.push_back(uniaxial_compression_run(method, sizes.enlarged, sizes.fill));
   const std::string reference = run_name(1, sizes.reference);
   const auto curve = [sizes](const SeedResults& seed, const std::string& run) {
     return curve_of(seed, run, sizes.fill);
@@ -139,7 +139,7 @@ LabPlan plan_uniaxial_compression(const LabSetting& setting) {
                                  return ratio / (method == 2 ? std::pow(l, 1.5) : l);
                                }});
   plan.charts = [sizes](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(sizes, seeds.front())};
+    return std::vector{uniaxial_compression_chart(sizes, seeds.front())};
   };
   return plan;
 }

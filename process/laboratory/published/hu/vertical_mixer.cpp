@@ -57,10 +57,10 @@ std::string contact_lines(const Case& one) {
   return set;
 }
 
-LabRun run_of(const Case& one, const Plan& plan) {
+LabRun vertical_mixer_run(const Case& one, const Plan& plan) {
   LabRun run{name_of(one), "mixer.toml", {contact_lines(one), {}}};
   run.changes.set += line("powder.grain_diameter", millimetres(kDiameter * one.enlargement));
-  run.changes.set += line("step.mix.duration", '"' + plain(plan.rotation) + " s\"");
+  run.changes.set += line("step.mix.duration", with_unit(plan.rotation, "s"));
   return run;
 }
 
@@ -158,8 +158,9 @@ std::vector<Case> cases_of(const Plan& plan) {
   return cases;
 }
 
-results::ExperimentChart chart_of(const std::string& name, const std::string& subtitle,
-                                  const std::vector<Case>& cases, const Plan& plan, const SeedResults& seed) {
+results::ExperimentChart vertical_mixer_chart(const std::string& name, const std::string& subtitle,
+                                              const std::vector<Case>& cases, const Plan& plan,
+                                              const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = name;
   chart.title = "Speeds of spheres in a vertical mixer at 300 rpm";
@@ -182,13 +183,15 @@ std::vector<results::ExperimentChart> charts_of(const Plan& plan, const SeedResu
              wet(0.2, plan.enlarged, 3)};
   adhesives = {adhesive(plan.reference), adhesive(plan.enlarged), adhesive(plan.enlarged, 2),
                adhesive(plan.enlarged, 3)};
-  return {chart_of("mixer_liquid",
-                   "Surface tension and liquid; published: shifts right, peak near 0.75 m/s at 0.05 N/m",
-                   liquid, plan, seed),
-          chart_of("mixer_methods", "Published: method 1 as the original, method 2 slower, method 3 faster",
-                   methods, plan, seed),
-          chart_of("mixer_adhesion", "JKR; published: method 1 is the nearest to the original", adhesives,
-                   plan, seed)};
+  return {vertical_mixer_chart(
+              "mixer_liquid",
+              "Surface tension and liquid; published: shifts right, peak near 0.75 m/s at 0.05 N/m", liquid,
+              plan, seed),
+          vertical_mixer_chart("mixer_methods",
+                               "Published: method 1 as the original, method 2 slower, method 3 faster",
+                               methods, plan, seed),
+          vertical_mixer_chart("mixer_adhesion", "JKR; published: method 1 is the nearest to the original",
+                               adhesives, plan, seed)};
 }
 
 }  // namespace
@@ -197,7 +200,7 @@ LabPlan plan_vertical_mixer(const LabSetting& setting) {
   const Plan plan = plan_of(setting.size);
   LabPlan lab;
   const auto cases = cases_of(plan);
-  for (const Case& one : cases) lab.runs.push_back(run_of(one, plan));
+  for (const Case& one : cases) lab.runs.push_back(vertical_mixer_run(one, plan));
   add_liquid(plan, lab);
   add_scaling(plan, lab);
   for (const Case& one : cases) {

@@ -37,10 +37,6 @@ std::string attraction_part(const AdhesivePowder& powder, Packing packing, doubl
          " }";
 }
 
-std::string seconds(double value) {
-  return with_unit(value, "s");
-}
-
 /// d, of the powder that is poured, of which the cut takes the top.
 double poured(const AdhesiveBed& bed) {
   return bed.fill / kKept;
@@ -57,15 +53,15 @@ std::string step_lines(const AdhesivePowder& powder, const AdhesiveBed& bed) {
   const double d = powder.diameter(), unit = std::sqrt(d / kGravity), height = lattice_height(bed);
   const bool waits = bed.packing == Packing::clusters || bed.packing == Packing::motion;
   std::string set = line("step.stir.random_velocity", with_unit(kSpeed * std::sqrt(kGravity * d), "m/s"));
-  set += line("step.fly.duration", seconds(kFly * unit));
+  set += line("step.fly.duration", with_unit(kFly * unit, "s"));
   set += line("step.stick.at_rest", bed.packing == Packing::clusters ? "true" : "false");
   set += line("step.stick.contact", "{ attraction = " + attraction_part(powder, bed.packing) + " }");
-  set += line("step.cluster.duration", seconds((waits ? kFly : 0.01) * unit));
+  set += line("step.cluster.duration", with_unit((waits ? kFly : 0.01) * unit, "s"));
   double fall = std::sqrt(2 * height) * unit;
   // In air no faster than Stokes' terminal speed.
   if (bed.packing == Packing::slow)
     fall = std::max(fall, height * d * 18 * kAir / (kDensity * kGravity * d * d));
-  set += line("step.fall.duration", seconds(kFall * fall));
+  set += line("step.fall.duration", with_unit(kFall * fall, "s"));
   set += line("step.cut.lowest", plain(kKept));
   return set;
 }
@@ -166,8 +162,8 @@ std::string pressed_bed_lines(const AdhesivePowder& powder, const AdhesiveBed& b
   set += line("step.press.forces", '[' + forces + ']');
   set += line("step.press.travel", millimetres(lowered - d));
   set += line("step.press.speed_limit", with_unit(loads.speed, "m/s"));
-  set += line("step.press.pause", seconds(loads.pause * std::sqrt(d / kGravity)));
-  set += line("probe.plate.interval", seconds(loads.interval * std::sqrt(d / kGravity)));
+  set += line("step.press.pause", with_unit(loads.pause * std::sqrt(d / kGravity), "s"));
+  set += line("probe.plate.interval", with_unit(loads.interval * std::sqrt(d / kGravity), "s"));
   set += line("step.pull.distance", millimetres(kPulled * d));
   set += line("step.pull.velocity", with_unit(kPullSpeed * std::sqrt(kGravity * d), "m/s"));
   // Glued, so that the bed breaks within and not at the plate or the floor.

@@ -38,7 +38,7 @@ std::vector<DiscTest> all_of(LabSize size) {
           {"LH220", {lh220(), cell}, 0.2, 20.03}};
 }
 
-LabRun run_of(const DiscTest& one) {
+LabRun disc_friction_run(const DiscTest& one) {
   const FilledCell& filled = one.filled;
   std::string forces;
   for (const double stress : kStresses)
@@ -98,7 +98,7 @@ double fitted_friction(const SeedResults& seed, const DiscTest& low, const DiscT
 
 using Role = results::ExperimentSeries::Role;
 
-results::ExperimentChart chart_of(const std::vector<DiscTest>& all, const SeedResults& seed) {
+results::ExperimentChart disc_friction_chart(const std::vector<DiscTest>& all, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "disc_friction";
   chart.title = "Wall friction of lactose on a turning disc";
@@ -133,7 +133,7 @@ LabPlan plan_disc_friction(const LabSetting& setting) {
   const std::vector<DiscTest> all = all_of(setting.size);
   LabPlan plan;
   for (const DiscTest& one : all) {
-    plan.runs.push_back(run_of(one));
+    plan.runs.push_back(disc_friction_run(one));
     plan.quantities.push_back({.id = one.run(),
                                .quantity = one.run() + ": wall friction angle",
                                .unit = "deg",
@@ -150,7 +150,7 @@ LabPlan plan_disc_friction(const LabSetting& setting) {
          .value = [=](const SeedResults& seed) { return fitted_friction(seed, low, high); }});
   }
   plan.charts = [all](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(all, seeds.front())};
+    return std::vector{disc_friction_chart(all, seeds.front())};
   };
   return plan;
 }

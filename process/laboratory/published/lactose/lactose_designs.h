@@ -1,4 +1,4 @@
-// Designs of Kottlan 2018 (Tables 8, 17 and 18), and what a quantity owes to each of their factors.
+// Designs of Kottlan 2018 (Tables 8, 17 and 18), and the effect of each of their factors on a quantity.
 #pragma once
 
 #include <filesystem>

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "process/results/none.h"
+
 namespace diefill::process::laboratory {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// The first row from `from` on whose stress is at least (`rising`) or at most `stress`.
 std::size_t reach(const LoadCurve& curve, std::size_t from, double stress, bool rising) {

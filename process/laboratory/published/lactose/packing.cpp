@@ -44,7 +44,7 @@ std::string run_name(const Way& way, double diameter) {
   return std::string(way.name) + ", d = " + plain(1e6 * diameter) + " um";
 }
 
-LabRun run_of(const Way& way, double diameter, LabSize size) {
+LabRun packing_run(const Way& way, double diameter, LabSize size) {
   AdhesiveBed bed = size == LabSize::coarse ? AdhesiveBed{6, 10} : AdhesiveBed{10, 20};
   bed.packing = way.packing;
   return {run_name(way, diameter),
@@ -61,7 +61,7 @@ double drop(const SeedResults& seed, const Way& way, const std::vector<double>& 
   return fraction(seed, way, sizes.back()) - fraction(seed, way, sizes.front());
 }
 
-results::ExperimentChart chart_of(const LabSetting& setting, const SeedResults& seed) {
+results::ExperimentChart packing_chart(const LabSetting& setting, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "packing";
   chart.title = "Solid fraction of beds packed in different ways";
@@ -87,7 +87,7 @@ LabPlan plan_packing(const LabSetting& setting) {
     for (const double diameter : sizes) {
       if (!is_run(way, diameter)) continue;
       const std::string run = run_name(way, diameter);
-      plan.runs.push_back(run_of(way, diameter, setting.size));
+      plan.runs.push_back(packing_run(way, diameter, setting.size));
       plan.quantities.push_back(
           {.id = run,
            .quantity = "solid fraction, " + run,
@@ -105,7 +105,7 @@ LabPlan plan_packing(const LabSetting& setting) {
                                return drop(seed, clusters, sizes) - drop(seed, plain_way, sizes);
                              }});
   plan.charts = [setting](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(setting, seeds.front())};
+    return std::vector{packing_chart(setting, seeds.front())};
   };
   return plan;
 }

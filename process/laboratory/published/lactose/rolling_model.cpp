@@ -18,7 +18,7 @@ constexpr Rolling kSmooth = {"no rolling resistance", "elastic CDT", 0},
                   kSmall = {"Luding, mu_r = 0.1", "Luding", 0.1}, kLarge = {"Luding, mu_r = 1", "Luding", 1},
                   kTorque = {"elastic CDT, mu_r = 1", "elastic CDT", 1};
 
-LabRun run_of(const LabSetting& setting, const Rolling& rolling) {
+LabRun rolling_model_run(const LabSetting& setting, const Rolling& rolling) {
   const AdhesiveBed bed = setting.size == LabSize::coarse ? AdhesiveBed{6, 10} : AdhesiveBed{10, 20};
   AdhesivePowder powder = lh100();
   powder.rolling_law = rolling.law;
@@ -39,7 +39,7 @@ double kinetic(const SeedResults& seed, const Rolling& rolling) {
 LabPlan plan_rolling_model(const LabSetting& setting) {
   LabPlan plan;
   for (const Rolling& rolling : {kSmooth, kSmall, kLarge, kTorque}) {
-    plan.runs.push_back(run_of(setting, rolling));
+    plan.runs.push_back(rolling_model_run(setting, rolling));
     const auto add = [&](const std::string& what, double (*value)(const SeedResults&, const Rolling&)) {
       plan.quantities.push_back({.id = what + ", " + rolling.name,
                                  .quantity = what + ", " + rolling.name,

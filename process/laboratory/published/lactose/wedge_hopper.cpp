@@ -60,7 +60,7 @@ std::string tool_lines(const Hopper& hopper, double half_angle) {
   return set;
 }
 
-LabRun run_of(const Hopper& hopper) {
+LabRun wedge_hopper_run(const Hopper& hopper) {
   const double d = lh220().diameter(), half_angle = published_hopper().half_angle;
   const double widening = std::tan(half_angle * std::numbers::pi / 180);
   const double depth = kDepth * hopper.slot, top = hopper.slot + 2 * depth * widening;  // d
@@ -99,7 +99,7 @@ double discharged_at_the_end(const SeedResults& seed, const Hopper& hopper) {
   return discharged(seed, hopper).value.back();
 }
 
-results::ExperimentChart chart_of(const std::vector<Hopper>& all, const SeedResults& seed) {
+results::ExperimentChart wedge_hopper_chart(const std::vector<Hopper>& all, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "wedge_hopper";
   chart.title = "Discharge of fine lactose through a slot";
@@ -129,7 +129,7 @@ LabPlan plan_wedge_hopper(const LabSetting& setting) {
   const std::vector<Hopper> all = hoppers(setting.size);
   LabPlan plan;
   for (const Hopper& hopper : all) {
-    plan.runs.push_back(run_of(hopper));
+    plan.runs.push_back(wedge_hopper_run(hopper));
     plan.quantities.push_back(
         {.id = hopper.name,
          .quantity = "discharged, " + hopper.name,
@@ -147,7 +147,7 @@ LabPlan plan_wedge_hopper(const LabSetting& setting) {
                                                discharged_at_the_end(seed, wide));
                              }});
   plan.charts = [all](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(all, seeds.front())};
+    return std::vector{wedge_hopper_chart(all, seeds.front())};
   };
   return plan;
 }

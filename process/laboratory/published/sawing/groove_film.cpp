@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "process/results/instant_powder.h"
 #include "process/results/storage/result_file.h"
 
 namespace diefill::process::laboratory::sawing {
@@ -110,16 +111,6 @@ void name_powder(FillResult& result, const FinishedGroove& finished) {
   }
 }
 
-void take_over(const Instant& instant, results::PowderState& powder) {
-  powder.time = instant.time;
-  powder.id = instant.id;
-  powder.position = instant.position;
-  powder.orientation = instant.orientation;
-  powder.velocity = instant.velocity;
-  powder.angular_velocity.assign(instant.id.size(), Eigen::Vector3d::Zero());
-  powder.kind = instant.kind;
-}
-
 }  // namespace
 
 Instant instant_of(const engine::FluidSimulation& simulation, const GrooveParts& parts) {
@@ -168,7 +159,8 @@ FillResult film_of(const FinishedGroove& finished, const std::vector<Instant>& i
   result.seed = finished.seed;
   name_powder(result, finished);
   const Instant end = instant_of(finished.simulation, finished.parts);
-  take_over(end, result.powder);
+  result.powder = results::powder_at(result.powder, end);
+  result.powder.angular_velocity.assign(end.id.size(), Eigen::Vector3d::Zero());
   result.tools = {wire_mesh(one, end.tool_displacement[0].z() / kMetre), ingot_mesh(one)};
   result.instants = instants;
   if (!instants.empty() && instants.back().time >= end.time) result.instants.pop_back();
