@@ -160,11 +160,13 @@ int experiment(const laboratory::SceneExperiment& one, const LabArguments& argum
   laboratory::require_use_of_powder(one, setting_of(arguments));
   set_up_drawing();
   const fs::path directory = folder_of(all_of(arguments), one.name, arguments);
-  const auto table = perform_into(directory, one, arguments).table;
-  std::printf("in %s: %s.csv, %s.json, charts\n", directory.string().c_str(), one.name.c_str(),
-              one.name.c_str());
+  const laboratory::LabOutcome outcome = perform_into(directory, one, arguments);
+  const bool drawn = std::any_of(outcome.charts.begin(), outcome.charts.end(),
+                                 [](const auto& chart) { return !chart.series.empty(); });
+  std::printf("in %s: %s.csv, %s.json%s\n", directory.string().c_str(), one.name.c_str(), one.name.c_str(),
+              drawn ? ", charts" : "");
   make_films(directory, one, arguments);
-  for (const auto& row : table.rows)
+  for (const auto& row : outcome.table.rows)
     if (row.values.empty()) return kFailed;
   return kDone;
 }

@@ -8,6 +8,7 @@
 #include "process/laboratory/published/bierwisch/heap_shape.h"
 #include "process/laboratory/published/bierwisch/repose_scene.h"
 #include "process/laboratory/published/experiments.h"
+#include "process/laboratory/published/run_series.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -44,16 +45,33 @@ double peak_on_slider(const SeedResults& seed, const std::string& run, const Rea
   return heap_shape(seed.of(run).powder, {-kSlider, -1, 0}, {reach.slider_end, 1, 1}, false).peak;
 }
 
+results::ExperimentChart heap_sizes_chart(const std::vector<PointOfRun>& runs, const Reach& reach,
+                                          const SeedResults& seed) {
+  results::ExperimentChart chart;
+  chart.name = "heap_sizes";
+  chart.title = "Toe and peak of heaps over grain size";
+  chart.subtitle = "Published: longer toe and flatter peak with larger grains";
+  chart.x = {.label = "Grain size [mm]", .lower = 0};
+  chart.y = {.label = "Length [mm]", .lower = 0};
+  add_run_series(chart, seed, "toe of the heap on the floor", runs,
+                 [&](const std::string& run) { return 1e3 * toe_on_floor(seed, run, reach); });
+  add_run_series(chart, seed, "height lacking at the peak on the slider", runs,
+                 [&](const std::string& run) { return 1e3 * peak_on_slider(seed, run, reach); });
+  return chart;
+}
+
 }  // namespace
 
 LabPlan plan_heap_sizes(const LabSetting& setting) {
   const Reach reach = reach_of(setting.size);
   LabPlan plan;
   std::vector<std::string> runs;
+  std::vector<PointOfRun> points;
   for (const double scale : scales(setting.size)) {
     const LabPowder powder = lab_powder(setting, kPreset, scale);
     const std::string run = run_name(powder);
     runs.push_back(run);
+    points.push_back({1e3 * powder.size, run});
     plan.runs.push_back(
         {run, "repose.toml", repose_changes(setting, powder, setting.size == LabSize::coarse, false)});
     const auto add = [&](const char* what,
@@ -76,6 +94,9 @@ LabPlan plan_heap_sizes(const LabSetting& setting) {
          if (!std::isfinite(toe + peak)) return std::numeric_limits<double>::quiet_NaN();
          return 0.5 * (toe > 0) + 0.5 * (peak > 0);
        }});
+  plan.charts = [=](const std::vector<SeedResults>& seeds) {
+    return std::vector{heap_sizes_chart(points, reach, seeds.front())};
+  };
   return plan;
 }
 

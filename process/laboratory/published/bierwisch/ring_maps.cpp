@@ -44,6 +44,27 @@ double volume_under_shoe(const SeedResults& seed, const char* run) {
   return filled_volume(seed.at(run, kSettled).powder);
 }
 
+results::ExperimentChart ring_maps_chart(const SeedResults& seed) {
+  constexpr double kStep = 10, kTurn = 360;  // deg
+  results::ExperimentChart chart;
+  chart.name = "ring_maps";
+  chart.title = "Solid fraction over the azimuth";
+  chart.subtitle =
+      "Mean and first two harmonics; published: two passages densify the far side (180 deg); one seed";
+  chart.x = {.label = "Azimuth [deg]", .lower = 0, .upper = kTurn};
+  chart.y = {.label = "Solid fraction [-]"};
+  for (const char* run : {kSlow, kTwo}) {
+    if (!seed.has(run)) continue;
+    results::ExperimentSeries series{.name = run, .x = {}, .y = {}};
+    for (double azimuth = 0; azimuth <= kTurn; azimuth += kStep) {
+      series.x.push_back(azimuth);
+      series.y.push_back(fraction_at(seed.of(run), azimuth));
+    }
+    chart.series.push_back(series);
+  }
+  return chart;
+}
+
 LabQuantity of_one(const char* quantity, const char* unit, const char* run, const char* figure,
                    double scale) {
   return {.id = std::string(figure) + ", " + run,
@@ -91,6 +112,9 @@ LabPlan plan_ring_maps(const LabSetting& setting) {
     plan.quantities.push_back(of_one("filled mass", "g", run, "filled_mass_kg", 1e3));
     plan.quantities.push_back(of_one("mean solid fraction", "1", run, "solid_fraction_mean", 1));
   }
+  plan.charts = [](const std::vector<SeedResults>& seeds) {
+    return std::vector{ring_maps_chart(seeds.front())};
+  };
   return plan;
 }
 

@@ -86,6 +86,48 @@ double near_start(const SeedResults& seed, int n) {
   return filled_volume(powder, true) / filled_volume(powder);
 }
 
+/// ms after the shoe's front has reached the ring.
+double time_of_instant(int n) {
+  return 1e3 * (kFirst + n * kNext);
+}
+
+results::ExperimentChart ring_transient_chart(const SeedResults& seed) {
+  results::ExperimentChart chart;
+  chart.name = "ring_transient";
+  chart.title = "Filling of a narrow ring in time";
+  chart.subtitle =
+      "One passage at 0.09 m/s; published: first near azimuth 0, nearly full at the third instant";
+  chart.x = {.label = "Time after the shoe has reached the ring [ms]", .lower = 0};
+  chart.y = {.label = "Share [-]", .lower = 0, .upper = 1};
+  if (!seed.has(kRun)) return chart;
+  results::ExperimentSeries filled{.name = "filled, of the mass in the end", .x = {}, .y = {}},
+      near{.name = "within 90 deg of azimuth 0", .x = {}, .y = {}};
+  for (int n = 0; n < kInstants; ++n) {
+    for (auto* series : {&filled, &near}) series->x.push_back(time_of_instant(n));
+    filled.y.push_back(filled_share(seed, n));
+    near.y.push_back(near_start(seed, n));
+  }
+  chart.series = {filled, near};
+  return chart;
+}
+
+results::ExperimentChart ring_displacement_chart(const SeedResults& seed) {
+  results::ExperimentChart chart;
+  chart.name = "ring_displacement";
+  chart.title = "How far later passages move the powder";
+  chart.subtitle = "Six passages at 0.2 m/s, two at a time";
+  chart.x = {.label = "Passages before", .lower = 0, .upper = 6};
+  chart.y = {.label = "Mean way over the grain size [-]", .lower = 0};
+  if (!seed.has(kSix)) return chart;
+  results::ExperimentSeries way{.name = "two more passages", .x = {}, .y = {}};
+  for (const int pair : {1, 2}) {
+    way.x.push_back(2 * pair);
+    way.y.push_back(mean_motion(after_pair(seed, pair), after_pair(seed, pair + 1)));
+  }
+  chart.series = {way};
+  return chart;
+}
+
 }  // namespace
 
 LabPlan plan_ring_transient(const LabSetting& setting) {
@@ -102,7 +144,7 @@ LabPlan plan_ring_transient(const LabSetting& setting) {
     return 0.5 * (filled_share(seed, 2) >= kFull) + 0.5 * (near_start(seed, 0) > 0.5);
   }));
   for (int n = 0; n < kInstants; ++n) {
-    const std::string when = ", " + plain(1e3 * (kFirst + n * kNext)) + " ms";
+    const std::string when = ", " + plain(time_of_instant(n)) + " ms";
     const auto add = [&](const std::string& what, const std::function<double(const SeedResults&)>& value) {
       plan.quantities.push_back(of_run(kRun, what + when, what + when, value));
     };
@@ -110,6 +152,9 @@ LabPlan plan_ring_transient(const LabSetting& setting) {
     add("share within 90 deg of azimuth 0", [n](const SeedResults& seed) { return near_start(seed, n); });
     add("change near the surface", near_surface(n));
   }
+  plan.charts = [](const std::vector<SeedResults>& seeds) {
+    return std::vector{ring_transient_chart(seeds.front())};
+  };
   return plan;
 }
 
@@ -127,6 +172,9 @@ LabPlan plan_ring_displacement(const LabSetting& setting) {
         [pair](const SeedResults& seed) {
           return mean_motion(after_pair(seed, pair), after_pair(seed, pair + 1));
         }));
+  plan.charts = [](const std::vector<SeedResults>& seeds) {
+    return std::vector{ring_displacement_chart(seeds.front())};
+  };
   return plan;
 }
 

@@ -124,6 +124,41 @@ double mean_over_models(const SeedResults& seed, const LabSetting& setting, doub
   return sum / count;
 }
 
+/// Speed over that of the shoe across the slit, of grains half a grain about ground level.
+results::ExperimentSeries outflow_series(const SeedResults& seed, const Model& model, double half_width) {
+  constexpr int kParts = 8;  // of the slit
+  const std::string run = run_name(model, kSlow);
+  const double reach = 0.5 * diameter(seed, run);
+  std::vector<double> sum(kParts), count(kParts);
+  for (const Passing& grain : passing_grains(seed, run, kSlow)) {
+    const double place = kParts * 0.5 * (1 + grain.x / half_width);
+    if (place < 0 || place >= kParts || std::abs(grain.z) >= reach) continue;
+    sum[static_cast<std::size_t>(place)] += grain.speed;
+    ++count[static_cast<std::size_t>(place)];
+  }
+  results::ExperimentSeries series{.name = model.name, .x = {}, .y = {}};
+  for (std::size_t part = 0; part < kParts; ++part) {
+    series.x.push_back((static_cast<double>(part) + 0.5) / kParts - 0.5);
+    series.y.push_back(count[part] > 0 ? sum[part] / count[part] : kNone);
+  }
+  return series;
+}
+
+results::ExperimentChart slit_fields_chart(const LabSetting& setting, const SeedResults& seed) {
+  results::ExperimentChart chart;
+  chart.name = "slit_fields";
+  chart.title = "Speed of the grains in the slit";
+  chart.subtitle = "At ground level, shoe at 0.18 m/s, five instants; one seed";
+  chart.x = {.label = "Place across the slit over its width [-]", .lower = -0.5, .upper = 0.5};
+  chart.y = {.label = "Speed over that of the shoe [-]", .lower = 0};
+  for (const Model& model : kModels) {
+    if (!seed.has(run_name(model, kSlow))) continue;
+    const LabPowder powder = lab_powder(setting, model.preset, setting.scale());
+    chart.series.push_back(outflow_series(seed, model, 0.5 * adjusted_slit(kWidth, powder)));
+  }
+  return chart;
+}
+
 std::vector<std::string> runs_at(double speed) {
   std::vector<std::string> runs;
   for (const Model& model : kModels) runs.push_back(run_name(model, speed));
@@ -160,6 +195,9 @@ LabPlan plan_slit_fields(const LabSetting& setting) {
   add("L03", kFast, [setting, any](const SeedResults& seed) {
     return mean_over_models(seed, setting, kFast, unevenness, any);
   });
+  plan.charts = [setting](const std::vector<SeedResults>& seeds) {
+    return std::vector{slit_fields_chart(setting, seeds.front())};
+  };
   return plan;
 }
 

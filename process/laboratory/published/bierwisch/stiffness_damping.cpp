@@ -6,6 +6,7 @@
 
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/experiments.h"
+#include "process/laboratory/published/run_series.h"
 #include "process/results/figure_table.h"
 
 namespace diefill::process::laboratory {
@@ -21,6 +22,7 @@ double step_of_damping(double damping) {
 
 /// One run: a preset with one parameter changed.
 struct Case {
+  double value;  ///< of the parameter
   std::string name, quantity;
   const char* preset;
   std::string set;
@@ -32,7 +34,8 @@ std::vector<Case> modulus_cases() {
   std::vector<Case> cases;
   for (const double modulus : kModuli)
     cases.push_back(
-        {"E = " + plain(modulus) + " Pa",
+        {modulus,
+         "E = " + plain(modulus) + " Pa",
          "E~ = " + plain(modulus) + " Pa",
          "ASC100.29 initial D",
          "powder.friction = 0.5\npowder.work_of_adhesion = \"0 J/m^2\"\npowder.reduced_modulus = \"" +
@@ -45,13 +48,18 @@ std::vector<Case> modulus_cases() {
 std::vector<Case> damping_cases() {
   std::vector<Case> cases;
   for (const double damping : kDampings)
-    cases.push_back({"damping over R = " + plain(damping) + " Pa s per m",
+    cases.push_back({damping,
+                     "damping over R = " + plain(damping) + " Pa s per m",
                      "gamma_n/R = " + plain(damping) + " Pa s/m",
                      "ASC100.29 D2",
                      "powder.damping_over_radius = \"" + plain(damping) + " Pa s/m\"\n",
                      {.width = 0.010, .speed = 0.18},
                      step_of_damping(damping)});
   return cases;
+}
+
+double settled_fraction(const SeedResults& seed, const std::string& run) {
+  return results::figure_of(seed.at(run, "settled"), "bulk_solid_fraction");
 }
 
 void add_case(const LabSetting& setting, const Case& one, LabPlan& plan) {
@@ -68,13 +76,12 @@ void add_case(const LabSetting& setting, const Case& one, LabPlan& plan) {
         line("numerics.time_step", with_unit(1e6 * one.step * powder.size / powder.own_size, "us")));
   const std::string run = one.name;
   plan.runs.push_back({run, "slit.toml", changes});
-  plan.quantities.push_back({.id = "fraction, " + run,
-                             .quantity = "solid fraction settled, " + one.quantity,
-                             .unit = "1",
-                             .runs = {run},
-                             .value = [run](const SeedResults& seed) {
-                               return results::figure_of(seed.at(run, "settled"), "bulk_solid_fraction");
-                             }});
+  plan.quantities.push_back(
+      {.id = "fraction, " + run,
+       .quantity = "solid fraction settled, " + one.quantity,
+       .unit = "1",
+       .runs = {run},
+       .value = [run](const SeedResults& seed) { return settled_fraction(seed, run); }});
   plan.quantities.push_back(
       {.id = "area, " + run,
        .quantity = "discharged area, " + one.quantity,
@@ -83,20 +90,44 @@ void add_case(const LabSetting& setting, const Case& one, LabPlan& plan) {
        .value = [run](const SeedResults& seed) { return 1e6 * discharged_area(seed, run); }});
 }
 
-LabPlan plan_of(const LabSetting& setting, const std::vector<Case>& cases) {
+results::ExperimentChart stiffness_damping_chart(const std::string& parameter,
+                                                 const std::vector<PointOfRun>& runs, bool areas,
+                                                 const SeedResults& seed) {
+  results::ExperimentChart chart;
+  chart.name = areas ? "discharged_area" : "settled_fraction";
+  chart.title = areas ? "Discharged area" : "Solid fraction of the settled powder";
+  chart.subtitle = "One passage; the slit is widened for coarse grains; one seed";
+  chart.x = {.label = parameter, .logarithmic = true};
+  chart.y = {.label = areas ? "Discharged area [mm2]" : "Solid fraction [-]", .lower = 0};
+  add_run_series(chart, seed, "model D", runs, [&](const std::string& run) {
+    return areas ? 1e6 * discharged_area(seed, run) : settled_fraction(seed, run);
+  });
+  return chart;
+}
+
+/// `parameter`: the axis' label.
+LabPlan plan_of(const LabSetting& setting, const std::vector<Case>& cases, const std::string& parameter) {
   LabPlan plan;
-  for (const Case& one : cases) add_case(setting, one, plan);
+  std::vector<PointOfRun> points;
+  for (const Case& one : cases) {
+    add_case(setting, one, plan);
+    points.push_back({one.value, one.name});
+  }
+  plan.charts = [=](const std::vector<SeedResults>& seeds) {
+    return std::vector{stiffness_damping_chart(parameter, points, true, seeds.front()),
+                       stiffness_damping_chart(parameter, points, false, seeds.front())};
+  };
   return plan;
 }
 
 }  // namespace
 
 LabPlan plan_youngs_modulus(const LabSetting& setting) {
-  return plan_of(setting, modulus_cases());
+  return plan_of(setting, modulus_cases(), "Reduced modulus [Pa]");
 }
 
 LabPlan plan_damping(const LabSetting& setting) {
-  return plan_of(setting, damping_cases());
+  return plan_of(setting, damping_cases(), "Damping over radius [Pa s/m]");
 }
 
 }  // namespace diefill::process::laboratory

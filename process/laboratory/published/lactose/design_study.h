@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ using DesignMetric = std::function<double(const SeedResults&, std::size_t bed)>;
 
 struct NamedMetric {
   std::string name;  ///< as ids of published figures have it
+  std::string unit;
   DesignMetric value;
 };
 
@@ -47,6 +49,10 @@ LabQuantity study_quantity(const DesignStudy& study, const std::string& id,
 
 /// Least and largest value of each metric: "<powder>-range-min-<metric>".
 void add_ranges(LabPlan& plan, const DesignStudy& study, const std::string& powder);
+/// A chart of each metric over the runs of the design, once all are finished; with the published least and
+/// largest values where `powder` names them as in add_ranges(), read from `figures`. Empty: none.
+LabCharts study_charts(const DesignStudy& study, const std::filesystem::path& figures,
+                       const std::string& powder = "");
 /// Mean errors of the regression with main effects, and with pairs: "ERR-<table>-with-<metric>".
 void add_errors(LabPlan& plan, const DesignStudy& study, const std::string& table);
 

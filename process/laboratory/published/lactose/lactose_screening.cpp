@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "process/laboratory/published/experiments.h"
+#include "process/laboratory/published/lab_folder.h"
 #include "process/laboratory/published/lactose/design_study.h"
 #include "process/laboratory/published/lactose/pressed_bed.h"
 
@@ -32,10 +33,11 @@ Study study_of(const LabSetting& setting, const std::string& table) {
   const auto metric = [beds = study.beds](double (*value)(const BedMetrics&)) -> DesignMetric {
     return [=](const SeedResults& seed, std::size_t k) { return value(metrics_of(seed, beds[k])); };
   };
-  study.metrics = {{"beta", metric([](const BedMetrics& of) { return 100 * of.stiffness.beta; })},
-                   {"k_load", metric([](const BedMetrics& of) { return 1e-6 * of.stiffness.loading; })},
-                   {"k_unload", metric([](const BedMetrics& of) { return 1e-6 * of.stiffness.unloading; })},
-                   {"sigma_tens", metric([](const BedMetrics& of) { return 1e-3 * of.strength; })}};
+  study.metrics = {
+      {"beta", "%", metric([](const BedMetrics& of) { return 100 * of.stiffness.beta; })},
+      {"k_load", "MPa", metric([](const BedMetrics& of) { return 1e-6 * of.stiffness.loading; })},
+      {"k_unload", "MPa", metric([](const BedMetrics& of) { return 1e-6 * of.stiffness.unloading; })},
+      {"sigma_tens", "kPa", metric([](const BedMetrics& of) { return 1e-3 * of.strength; })}};
   study.initial = metric([](const BedMetrics& of) { return of.initial_fraction; });
   study.last = metric([](const BedMetrics& of) { return of.final_fraction; });
   return study;
@@ -67,6 +69,7 @@ double of_negligible(const Study& study, const SeedResults& seed) {
 LabPlan plan_of(const Study& study) {
   LabPlan plan;
   for (const PressedBed& bed : study.beds) plan.runs.push_back(run_of(bed));
+  plan.charts = study_charts(study, {});
   return plan;
 }
 
@@ -138,6 +141,7 @@ LabPlan plan_lh100_range(const LabSetting& setting) {
   LabPlan plan = plan_of(study);
   add_ranges(plan, study, "L100");
   add_errors(plan, study, "19");
+  plan.charts = study_charts(study, setting.scenes / kPublishedFigures, "L100");
   return plan;
 }
 
@@ -146,6 +150,7 @@ LabPlan plan_lh220_range(const LabSetting& setting) {
   LabPlan plan = plan_of(study);
   add_ranges(plan, study, "L220");
   add_errors(plan, study, "20");
+  plan.charts = study_charts(study, setting.scenes / kPublishedFigures, "L220");
   return plan;
 }
 

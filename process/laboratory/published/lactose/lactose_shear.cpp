@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "process/laboratory/published/experiments.h"
+#include "process/laboratory/published/lab_folder.h"
 #include "process/laboratory/published/lactose/design_study.h"
 #include "process/laboratory/published/lactose/sheared_bed.h"
 
@@ -34,13 +35,13 @@ Study study_of(const LabSetting& setting, const std::string& table) {
   const auto metric = [tests = study.tests](double (*value)(const SeedResults&, const ShearTest&)) {
     return DesignMetric([=](const SeedResults& seed, std::size_t k) { return value(seed, tests[k]); });
   };
-  study.metrics = {{"tau_pre", metric([](const SeedResults& seed, const ShearTest& test) {
+  study.metrics = {{"tau_pre", "kPa", metric([](const SeedResults& seed, const ShearTest& test) {
                       return 1e-3 * preshear_of(seed, test).shear;
                     })},
-                   {"tau_0", metric([](const SeedResults& seed, const ShearTest& test) {
+                   {"tau_0", "kPa", metric([](const SeedResults& seed, const ShearTest& test) {
                       return 1e-3 * locus_of(seed, test).cohesion;
                     })},
-                   {"k_YL", metric([](const SeedResults& seed, const ShearTest& test) {
+                   {"k_YL", "-", metric([](const SeedResults& seed, const ShearTest& test) {
                       return locus_of(seed, test).slope;
                     })}};
   return study;
@@ -49,6 +50,7 @@ Study study_of(const LabSetting& setting, const std::string& table) {
 LabPlan plan_of(const Study& study) {
   LabPlan plan;
   plan.runs = runs_of(study.tests);
+  plan.charts = study_charts(study, {});
   return plan;
 }
 
@@ -58,6 +60,7 @@ LabPlan range_plan(const LabSetting& setting, const std::string& design, const s
   LabPlan plan = plan_of(study);
   add_ranges(plan, study, powder);
   add_errors(plan, study, table);
+  plan.charts = study_charts(study, setting.scenes / kPublishedFigures, powder);
   return plan;
 }
 

@@ -5,6 +5,7 @@
 #include "process/laboratory/published/bed_window.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lactose/pressed_bed.h"
+#include "process/laboratory/published/run_series.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -34,6 +35,25 @@ double kinetic(const SeedResults& seed, const Rolling& rolling) {
   return kinetic_energy_over_weight(packed_bed(seed, rolling.name));
 }
 
+results::ExperimentChart rolling_model_chart(const SeedResults& seed) {
+  results::ExperimentChart chart;
+  chart.name = "rolling_model";
+  chart.title = "Kinetic energy of packed beds over rolling friction";
+  chart.subtitle = "Published: the rolling spring shakes the bed where it is large enough to matter";
+  chart.x = {.label = "Rolling friction mu_r [-]", .lower = 0};
+  chart.y = {.label = "Kinetic energy over m g d [-]", .logarithmic = true};
+  const auto energy = [&](const std::string& run) {
+    return kinetic_energy_over_weight(packed_bed(seed, run));
+  };
+  add_run_series(
+      chart, seed, "rolling spring (Luding)",
+      {{kSmooth.friction, kSmooth.name}, {kSmall.friction, kSmall.name}, {kLarge.friction, kLarge.name}},
+      energy);
+  add_run_series(chart, seed, "elastic torque",
+                 {{kSmooth.friction, kSmooth.name}, {kTorque.friction, kTorque.name}}, energy);
+  return chart;
+}
+
 }  // namespace
 
 LabPlan plan_rolling_model(const LabSetting& setting) {
@@ -56,6 +76,9 @@ LabPlan plan_rolling_model(const LabSetting& setting) {
        .unit = "",
        .runs = {kSmooth.name, kLarge.name},
        .value = [](const SeedResults& seed) { return kinetic(seed, kLarge) / kinetic(seed, kSmooth); }});
+  plan.charts = [](const std::vector<SeedResults>& seeds) {
+    return std::vector{rolling_model_chart(seeds.front())};
+  };
   return plan;
 }
 

@@ -79,6 +79,18 @@ TEST(SceneExperiments, EveryRunIsAValidSceneAtEverySize) {
     }
 }
 
+TEST(SceneExperiments, WithRunsHaveChartsFromWhateverIsFinished) {
+  LabSetting setting;
+  setting.scenes = scenes();
+  const std::vector<SeedResults> nothing = {SeedResults(1, {})};
+  for (const auto& experiment : scene_experiments()) {
+    const LabPlan plan = experiment.plan(setting);
+    if (plan.runs.empty() && plan.custom_runs.empty()) continue;
+    ASSERT_TRUE(plan.charts) << experiment.name;
+    EXPECT_NO_THROW(plan.charts(nothing)) << experiment.name;
+  }
+}
+
 TEST(SceneExperiments, TakeAPowderOfTheUsersOwn) {
   const support::TemporaryFolder folder;
   const auto file = folder.write("mine.toml", "[powder]\npreset = \"ASC100.29 A2\"\nfriction = 0.37\n");
