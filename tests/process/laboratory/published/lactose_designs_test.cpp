@@ -78,7 +78,7 @@ TEST(LactoseDesigns, AWrongFileIsNamed) {
 DesignStudy planted() {
   DesignStudy study;
   study.design = runs_of("T17");
-  study.metrics = {{"planted", [design = study.design](const SeedResults&, std::size_t k) {
+  study.metrics = {{"planted", "1", [design = study.design](const SeedResults&, std::size_t k) {
                       return 10.0 + level(design[k], Factor::hamaker) -
                              3 * level(design[k], Factor::friction);
                     }}};
