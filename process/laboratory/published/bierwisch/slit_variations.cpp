@@ -108,6 +108,19 @@ void add_ratios(const Model& model, LabQuantity quantity, LabPlan& plan) {
   }
 }
 
+results::ExperimentChart packing_scatter_chart(const std::vector<SeedResults>& seeds) {
+  results::ExperimentChart chart;
+  chart.name = "packing_scatter";
+  chart.title = "Discharge of several packings of the same powder";
+  chart.x = {.label = "Speed of the shoe [m/s]", .lower = 0};
+  chart.y = {.label = "Discharged area [mm2]", .lower = 0};
+  for (const SeedResults& seed : seeds)
+    add_run_series(chart, seed, "packing " + std::to_string(seed.seed()),
+                   {{kSlowShoe, packing_name(kSlowShoe)}, {kFastShoe, packing_name(kFastShoe)}},
+                   [&](const std::string& run) { return 1e6 * discharged_area(seed, run); });
+  return chart;
+}
+
 }  // namespace
 
 LabPlan plan_fill_height(const LabSetting& setting) {
@@ -169,6 +182,9 @@ LabPlan plan_packing_scatter(const LabSetting& setting) {
                              .over_seeds = [slow](const std::vector<SeedResults>& seeds) {
                                return relative_scatter(seeds, slow);
                              }});
+  plan.charts = [](const std::vector<SeedResults>& seeds) {
+    return std::vector{packing_scatter_chart(seeds)};
+  };
   return plan;
 }
 

@@ -6,6 +6,7 @@
 // plate's spheres are enlarged with the grains.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/dosta/bulk_curves.h"
@@ -104,6 +105,20 @@ LabRun discharge_of(const LabSetting& setting, double friction, double spacing) 
   return run;
 }
 
+results::ExperimentChart wall_discharge_chart(const std::map<double, std::vector<PointOfRun>>& by_spacing,
+                                              const SeedResults& seed) {
+  results::ExperimentChart chart;
+  chart.name = "wall_discharge";
+  chart.title = "Discharge over the friction of walls made of spheres";
+  chart.subtitle = "By the spacing of the wall spheres; published: no effect; one seed";
+  chart.x = {.label = "Friction of the walls [-]", .lower = 0};
+  chart.y = {.label = "Discharged area [mm2]", .lower = 0};
+  for (const auto& [spacing, runs] : by_spacing)
+    add_run_series(chart, seed, "spacing " + plain(spacing), runs,
+                   [&](const std::string& run) { return 1e6 * discharged_area(seed, run); });
+  return chart;
+}
+
 }  // namespace
 
 LabPlan plan_wall_friction(const LabSetting& setting) {
@@ -141,10 +156,12 @@ LabPlan plan_wall_friction(const LabSetting& setting) {
 
 LabPlan plan_wall_discharge(const LabSetting& setting) {
   LabPlan plan;
+  std::map<double, std::vector<PointOfRun>> by_spacing;
   for (const auto& [friction, spacing] : {std::pair(0.15, 0.4), std::pair(0.15, 0.8), std::pair(0.05, 1.6),
                                           std::pair(0.15, 1.6), std::pair(0.25, 1.6)}) {
     plan.runs.push_back(discharge_of(setting, friction, spacing));
     const std::string run = plan.runs.back().name;
+    by_spacing[spacing].push_back({friction, run});
     plan.quantities.push_back(
         {.id = "discharged area, " + run,
          .quantity = "discharged area, " + run,
@@ -152,6 +169,9 @@ LabPlan plan_wall_discharge(const LabSetting& setting) {
          .runs = {run},
          .value = [run](const SeedResults& seed) { return 1e6 * discharged_area(seed, run); }});
   }
+  plan.charts = [by_spacing](const std::vector<SeedResults>& seeds) {
+    return std::vector{wall_discharge_chart(by_spacing, seeds.front())};
+  };
   return plan;
 }
 

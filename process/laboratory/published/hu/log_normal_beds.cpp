@@ -202,17 +202,32 @@ LabQuantity contacts_apart(const char* id, double l, double original) {
                   });
 }
 
+results::ExperimentChart log_normal_scaling_chart(const std::vector<PointOfRun>& runs,
+                                                  const SeedResults& seed) {
+  results::ExperimentChart chart;
+  chart.name = "log_normal_scaling";
+  chart.title = "Contacts of enlarged spheres of widely different sizes";
+  chart.subtitle = "s_d over m_d = 0.8; published: within 4 % (l = 2) and 12 % (l = 4) of the originals";
+  chart.x = {.label = "Enlargement l [-]", .lower = 0};
+  chart.y = {.label = "Mean coordination number [-]", .lower = 0};
+  add_run_series(chart, seed, "method 1", runs,
+                 [&](const std::string& run) { return figures_of(seed, run, kLow, kHigh).contacts; });
+  return chart;
+}
+
 }  // namespace
 
 LabPlan plan_log_normal_scaling(const LabSetting& setting) {
   const bool coarse = setting.size == LabSize::coarse;
   LabPlan plan;
+  std::vector<PointOfRun> points;
   for (const double l : coarse ? std::vector<double>{8, 4, 2} : std::vector<double>{4, 2, 1}) {
     const Case one{0.8, kWeak, l};
     InsertedBed bed = bed_of(one, kMaxCompared);
     bed.insertion.to = kHighest;
     bed.insertion.rest = kRestCompared;
     plan.runs.push_back(run_of(bed));
+    points.push_back({l, plan.runs.back().name});
     plan.runs.back().changes.set += line("numerics.time_step_fraction", plain(kStepCompared));
     plan.quantities.push_back(own_figure(name_of(one), "contacts", "1", kLow, kHigh, &BedFigures::contacts));
     plan.quantities.push_back(
@@ -222,6 +237,9 @@ LabPlan plan_log_normal_scaling(const LabSetting& setting) {
                                    : contacts_apart("LN-002-M1z2", 2, 1));
   plan.quantities.push_back(coarse ? contacts_apart("LN-002-M1z4", 8, 2)
                                    : contacts_apart("LN-002-M1z4", 4, 1));
+  plan.charts = [points](const std::vector<SeedResults>& seeds) {
+    return std::vector{log_normal_scaling_chart(points, seeds.front())};
+  };
   return plan;
 }
 
