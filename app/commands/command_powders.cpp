@@ -5,26 +5,12 @@
 #include "app/exit_code.h"
 #include "app/tables/json_text.h"
 #include "process/results/rounding.h"
+#include "process/scene/powder/grain_models.h"
 #include "process/scene/powder/powder_presets.h"
 
 namespace diefill::app {
 
 namespace {
-
-const char* model_of(process::GrainModel model) {
-  switch (model) {
-    case process::GrainModel::A:
-      return "A";
-    case process::GrainModel::B:
-      return "B";
-    case process::GrainModel::C:
-      return "C";
-    case process::GrainModel::D:
-    case process::GrainModel::clump:  // no preset has one
-      break;
-  }
-  return "D";
-}
 
 nlohmann::ordered_json as_json(const process::PresetUse& preset) {
   const auto powder = process::powder_preset(preset.name);
@@ -32,7 +18,7 @@ nlohmann::ordered_json as_json(const process::PresetUse& preset) {
                                  {"use", preset.use},
                                  {"limits", preset.limits},
                                  {"fitted_to", preset.fitted_to},
-                                 {"model", model_of(powder.model)},
+                                 {"model", process::name_of(powder.model)},
                                  {"grain_diameter_m", powder.grain_diameter},
                                  {"friction", powder.friction},
                                  {"work_of_adhesion_J_m2", powder.work_of_adhesion},
@@ -52,7 +38,7 @@ void print(const process::PresetUse& preset) {
   std::printf(
       "%s\n  use: %s\n  limits: %s\n  fitted to: %s; grain model %s of %.3g mm, apparent density %s\n",
       preset.name.c_str(), preset.use.c_str(), preset.limits.c_str(), preset.fitted_to.c_str(),
-      model_of(powder.model), 1e3 * powder.grain_diameter, density.c_str());
+      process::name_of(powder.model), 1e3 * powder.grain_diameter, density.c_str());
 }
 
 int powders(bool json) {

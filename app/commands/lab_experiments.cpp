@@ -31,6 +31,7 @@
 #include "process/laboratory/published/kept_results.h"
 #include "process/laboratory/published/lab_folder.h"
 #include "process/laboratory/published/lab_powder.h"
+#include "process/laboratory/published/other_figures.h"
 #include "process/laboratory/published/perform.h"
 #include "process/results/storage/atomic_file.h"
 #include "render/charts/experiment_chart.h"
@@ -199,16 +200,22 @@ int fidelity(const LabArguments& arguments) {
   require_directory(all);
   make_directory_of(file);
   const fs::path values = page.parent_path() / laboratory::kKeptResults;
+  const fs::path other_values = page.parent_path() / laboratory::kOtherFigures;
   auto kept = laboratory::read_kept_results(values, figures);
+  auto others = laboratory::read_other_figures(other_values);
   for (const auto& one : laboratory::scene_experiments())
     if (one.name != kSheet) perform_into(folder_of(all, one.name, arguments), one, arguments);
   const auto measured = tables_below(all);
   laboratory::take_over(kept, measured);
+  laboratory::take_over(others, measured);
   auto tables = laboratory::tables_with_kept(kept, measured);
   for (auto& table : laboratory::family_tables(scenes / kPages)) tables.push_back(std::move(table));
   tables.push_back(laboratory::compared_figures(scenes / kComparisons, figures));
   write_output([&] {
     results::write_text_atomically(values, laboratory::csv_of(kept));
+    results::write_text_atomically(other_values, laboratory::csv_of(others));
+    results::write_text_atomically(page.parent_path() / laboratory::kOtherFiguresPage,
+                                   laboratory::other_figures_page(others));
     results::write_text_atomically(
         page, laboratory::fidelity_page(figures, tables, laboratory::read_remarks(scenes / kRemarks)));
   });
@@ -286,8 +293,8 @@ void add_fidelity(CLI::App& lab, Action& chosen) {
   page->get_option("--quiet")->description("print no progress and no tables: they are in the page");
   page->add_option("--page", arguments->page,
                    "file to write (default: process/laboratory/FIDELITY.md of a source tree that may be "
-                   "written, else FIDELITY.md in the folder of --out); kept_results.csv beside it, with the "
-                   "values of all calls, is rewritten too");
+                   "written, else FIDELITY.md in the folder of --out); rewritten beside it, with the values "
+                   "of all calls: kept_results.csv, other_figures.csv and OTHER_FIGURES.md");
   page->footer("Example:\n  diefill lab fidelity --collect --page out/FIDELITY.md");
   page->callback([arguments, &chosen] {
     arguments->prints_tables = !arguments->quiet;

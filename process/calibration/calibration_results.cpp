@@ -10,6 +10,7 @@
 #include "process/input/units.h"
 #include "process/results/formatted.h"
 #include "process/results/none.h"
+#include "process/scene/powder/grain_models.h"
 
 namespace diefill::process::calibration {
 namespace {
@@ -108,9 +109,8 @@ std::string in_quotes(const std::string& text) {
 }
 
 std::string grains_text(const Scene& scene) {
-  const bool is_clump = scene.powder.model == GrainModel::clump;
   const std::string grains =
-      is_clump ? "clumps" : std::string("grain model ") + "ABCD"[static_cast<int>(scene.powder.model)];
+      scene.powder.clump ? "clumps" : std::string("grain model ") + name_of(scene.powder.model);
   return grains + ", d = " + number_text(1e3 * scene.powder.grain_diameter) + " mm, " +
          (scene.walls.kind == WallKind::mesh
               ? "mesh walls"

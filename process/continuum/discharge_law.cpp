@@ -16,10 +16,6 @@ struct LawFacts {
   const char* formula;
 };
 
-constexpr std::array kDischargeLaws = {DischargeLaw::moving_shoe, DischargeLaw::power_law,
-                                       DischargeLaw::transient, DischargeLaw::beverloo_round,
-                                       DischargeLaw::beverloo_slit};
-
 constexpr std::array kLawFacts = {
     LawFacts{DischargeLaw::moving_shoe, "5.17", Measured::shoe_masses,
              "m = rho_a D b l [C_B + C_F (x + (1 - C_I/C_F)/beta (exp(-beta x) - 1))], x = sqrt(gD)/v_s - "
@@ -34,7 +30,13 @@ constexpr std::array kLawFacts = {
     LawFacts{DischargeLaw::beverloo_slit, "beverloo-slit", Measured::rates,
              "W = C rho_a b sqrt(g) (D - k d)^(3/2) (Beverloo for a slit; Bierwisch 2009, Eq. 5.13)"},
 };
-static_assert(kLawFacts.size() == kDischargeLaws.size());
+
+constexpr auto kDischargeLaws = [] {
+  std::array<DischargeLaw, kLawFacts.size()> laws{};
+  std::transform(kLawFacts.begin(), kLawFacts.end(), laws.begin(),
+                 [](const LawFacts& facts) { return facts.law; });
+  return laws;
+}();
 
 const LawFacts& facts_of(DischargeLaw law) {
   return *std::find_if(kLawFacts.begin(), kLawFacts.end(),

@@ -1,30 +1,14 @@
 #include "process/estimate/work_of_steps.h"
 
-#include <algorithm>
-#include <vector>
-
 #include "process/machine/motions/passage.h"
-#include "process/tooling/stages.h"
+#include "process/tooling/busy_time.h"
 
 namespace diefill::process::estimate {
 
 std::optional<double> cycle_time(const Scene& scene) {
   if (scene.steps.empty()) return std::nullopt;
   const Stages stages(scene);
-  const auto states = predicted(stages, kSettlingGuess);
-  std::vector<std::pair<double, double>> busy;
-  for (std::size_t k = 0; k < stages.size(); ++k) {
-    const Step& step = *stages.steps[k];
-    if (states[k].is_pending() || (step.tools().empty() && !step.duration())) continue;
-    busy.emplace_back(states[k].started, std::max(states[k].started, states[k].ended));
-  }
-  std::sort(busy.begin(), busy.end());
-  double time = 0, counted = 0;
-  for (const auto& [start, end] : busy) {
-    time += std::max(0.0, end - std::max(start, counted));
-    counted = std::max(counted, end);
-  }
-  return time;
+  return busy_time(stages, predicted(stages, kSettlingGuess));
 }
 
 std::optional<double> crossing_time(const Scene& scene, const std::string& tool) {

@@ -8,6 +8,7 @@
 #include "process/input/shown_value.h"
 #include "process/powder/material.h"
 #include "process/results/formatted.h"
+#include "process/scene/powder/grain_models.h"
 #include "process/scene/powder/powder_presets.h"
 #include "process/scene/reading/sections.h"
 #include "process/scene/scene_text.h"
@@ -111,9 +112,9 @@ void choose_fill_height(SettingNumbers& numbers, Setting setting, const Scene& s
 /// Scenes write 0.47 mm for the 0.4704 mm of model D (process/scene/README.md).
 double printed_over_exact(const PowderSpec& powder) {
   if (powder.clump) return 1;
-  const double tabulated = reference_sphere_radius(powder.model);
+  const double tabulated = facts_of(powder.model).sphere_radius;
   if (powder.name == "custom" || powder.sphere_radius != tabulated) return 1;
-  return nominal_grain_diameter(powder.model) / calibrated_diameter(powder);
+  return facts_of(powder.model).grain_diameter / calibrated_diameter(powder);
 }
 
 /// Lays `value` over `key` of a table, and says what stood there.

@@ -5,6 +5,7 @@
 #include "engine/simulation/settings.h"
 #include "process/powder/tool_surface.h"
 #include "process/scene/contact/contact_spec.h"
+#include "process/scene/powder/grain_models.h"
 
 namespace diefill::process {
 
@@ -47,7 +48,7 @@ LawTerms law_terms(const Scene& scene, const engine::SimulationSettings& setting
     term("Coulomb friction with tools", any_tool(scene, friction_of));
     term("cohesion among grains", powder.work_of_adhesion > 0);
     term("cohesion with tools", any_tool(scene, adhesion_of));
-    term("rolling friction", powder.model == GrainModel::B && powder.rolling_friction > 0);
+    term("rolling friction", has_rolling_friction(powder) && powder.rolling_friction > 0);
   }
   term("rotation of grains", settings.shape().rotates);
   term("air drag", settings.air_viscosity > 0);

@@ -6,6 +6,7 @@
 #include "process/powder/changed_scene.h"
 #include "process/powder/powder_mixture.h"
 #include "process/scene/contact/contact_spec.h"
+#include "process/scene/powder/grain_models.h"
 
 namespace diefill::process {
 
@@ -80,18 +81,9 @@ double expected_solid_fraction(const Scene& scene) {
   if (scene.pour.solid_fraction > 0) return scene.pour.solid_fraction;
   const bool sticky = grains_stick(scene);
   const bool rough = friction_among_grains(scene) >= 0.5;
-  switch (scene.powder.model) {
-    case GrainModel::A:
-      return sticky ? 0.48 : rough ? 0.55 : 0.58;
-    case GrainModel::B:
-      return rough ? 0.52 : 0.57;
-    case GrainModel::C:
-      return sticky ? 0.40 : rough ? 0.45 : 0.50;
-    case GrainModel::D:
-    case GrainModel::clump:
-      break;
-  }
-  return sticky || rough ? 0.32 : 0.38;
+  // A clump of the scene's own packs like the clumps of model D.
+  const GrainModel model = scene.powder.clump ? GrainModel::D : scene.powder.model;
+  return facts_of(model).settled[sticky ? 1 : 0][rough ? 1 : 0];
 }
 
 }  // namespace diefill::process

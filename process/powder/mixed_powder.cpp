@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "process/powder/powder_mixture.h"
+#include "process/scene/powder/grain_models.h"
 
 namespace diefill::process {
 
@@ -80,20 +81,9 @@ void add_laws_of_pair(const Scene& scene, const PowderPair& pair, double time_st
 }  // namespace
 
 engine::GrainShape mean_grain(const PowderSpec& powder, CoarseGraining rule) {
+  if (powder.clump) return enlarged(*powder.clump, coarse_graining_factor(powder));
   const auto material = coarse_material(powder, rule);
-  switch (powder.model) {
-    case GrainModel::clump:
-      return enlarged(*powder.clump, coarse_graining_factor(powder));
-    case GrainModel::A:
-      return engine::model_a(material.sphere_radius, material.grain_mass);
-    case GrainModel::B:
-      return engine::model_b(material.sphere_radius, material.grain_mass);
-    case GrainModel::C:
-      return engine::model_c(material.sphere_radius, material.grain_mass);
-    case GrainModel::D:
-      break;
-  }
-  return engine::model_d(material.sphere_radius, material.grain_mass);
+  return facts_of(powder.model).shape(material.sphere_radius, material.grain_mass);
 }
 
 engine::GrainShape enlarged(const engine::GrainShape& shape, double factor) {

@@ -5,6 +5,7 @@
 #include "engine/powder/materials.h"
 #include "process/powder/tool_surface.h"
 #include "process/scene/contact/contact_spec.h"
+#include "process/scene/powder/grain_models.h"
 
 namespace diefill::process {
 
@@ -32,16 +33,15 @@ engine::coarse_graining::Material reference_material(const PowderSpec& powder) {
 /// The law that the powder's own parameters make (Bierwisch 2009, section 2.2).
 laws::LawParameters own_law(const Scene& scene, double friction, double work_of_adhesion) {
   const auto material = coarse_material(scene);
-  const bool rolls = scene.powder.model == GrainModel::B;
-  return laws::bierwisch_law({.reduced_modulus = material.reduced_modulus,
-                              .damping = material.damping,
-                              .tangential = material.tangential,
-                              .friction = friction,
-                              .work_of_adhesion = work_of_adhesion,
-                              .rolling_friction = rolls ? material.rolling_friction : 0},
-                             scene.numerics.tangential_spring == TangentialSpring::cut_back
-                                 ? engine::SpringLimit::cut_back
-                                 : engine::SpringLimit::free);
+  return laws::bierwisch_law(
+      {.reduced_modulus = material.reduced_modulus,
+       .damping = material.damping,
+       .tangential = material.tangential,
+       .friction = friction,
+       .work_of_adhesion = work_of_adhesion,
+       .rolling_friction = has_rolling_friction(scene.powder) ? material.rolling_friction : 0},
+      scene.numerics.tangential_spring == TangentialSpring::cut_back ? engine::SpringLimit::cut_back
+                                                                     : engine::SpringLimit::free);
 }
 
 SceneLaws own_laws(const Scene& scene) {

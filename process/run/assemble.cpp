@@ -22,6 +22,7 @@
 #include "process/run/topics.h"
 #include "process/scene/zones.h"
 #include "process/setup/setup_findings.h"
+#include "process/tooling/busy_time.h"
 #include "process/tooling/die_frame.h"
 #include "process/tooling/half_model.h"
 
@@ -113,29 +114,8 @@ std::vector<results::Instant> instants_of(const FillRun& run) {
   return instants;
 }
 
-/// s that the machine is at work: while any step is active that moves a tool or lasts a given time. Waiting
-/// for the powder to rest is not counted, a press does not wait for it.
-double cycle_time(const Scene& scene, const Schedule& schedule) {
-  std::vector<std::pair<double, double>> busy;
-  for (std::size_t k = 0; k < scene.steps.size(); ++k) {
-    const StepState& state = schedule.of_step(k);
-    const auto duration = scene.steps[k]->duration();
-    if (!state.has_ended() || (scene.steps[k]->tools().empty() && !duration)) continue;
-    // The schedule notices ends a few time steps late.
-    const double end = duration ? std::min(state.ended, state.started + *duration) : state.ended;
-    busy.emplace_back(state.started, end);
-  }
-  std::sort(busy.begin(), busy.end());
-  double time = 0, counted = 0;
-  for (const auto& [start, end] : busy) {
-    time += std::max(0.0, end - std::max(start, counted));
-    counted = std::max(counted, end);
-  }
-  return time;
-}
-
 /// Time steps, the times that the scene and the computation took, and speed.
-void add_time_figures(const Scene& scene, results::FillResult& result, const FillRun& run) {
+void add_time_figures(results::FillResult& result, const FillRun& run) {
   const engine::Simulation& simulation = run.simulation();
   const auto& settings = simulation.settings();
   auto& figures = result.figures;
@@ -143,7 +123,7 @@ void add_time_figures(const Scene& scene, results::FillResult& result, const Fil
   figures["steps"] = static_cast<double>(simulation.steps());
   figures["time_step_s"] = settings.time_step;
   figures["critical_time_step_s"] = run.critical_time_step();
-  figures["cycle_time_s"] = cycle_time(scene, run.schedule());
+  figures["cycle_time_s"] = busy_time(run.schedule().stages(), run.schedule().state().steps);
   figures["simulated_s"] = simulation.time();
   figures["wall_seconds"] = run.wall_seconds();
   figures["sphere_steps"] = static_cast<double>(run.sphere_steps());
@@ -173,7 +153,7 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["grains"] = static_cast<double>(result.powder.id.size());
   figures["spheres"] = static_cast<double>(result.powder.sphere_count());
   figures["wall_spheres"] = static_cast<double>(tooling.wall_spheres());
-  add_time_figures(scene, result, run);
+  add_time_figures(result, run);
   add_margin_figures(result, run);
   add_loss_figures(result, tooling, run);
   figures["grain_diameter_m"] = result.powder.grain_diameter;

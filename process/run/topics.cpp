@@ -10,6 +10,7 @@
 #include "process/results/formatted.h"
 #include "process/run/assemble.h"
 #include "process/scene/contact/contact_spec.h"
+#include "process/scene/powder/grain_models.h"
 #include "process/scene/setting.h"
 
 #ifndef DIEFILL_LIBRARIES
@@ -26,19 +27,9 @@ void state(results::Topic& topic, const std::string& name, const std::string& te
 }
 
 std::string model_text(const PowderSpec& powder) {
-  switch (powder.model) {
-    case GrainModel::clump:
-      return "clump of " + std::to_string(powder.clump->spheres()) + " spheres";
-    case GrainModel::A:
-      return "A: a sphere that does not rotate";
-    case GrainModel::B:
-      return "B: a rotating sphere with rolling friction";
-    case GrainModel::C:
-      return "C: six overlapping spheres on an octahedron";
-    case GrainModel::D:
-      break;
-  }
-  return "D: seven touching spheres";
+  if (powder.clump) return "clump of " + std::to_string(powder.clump->spheres()) + " spheres";
+  const GrainModelFacts& facts = facts_of(powder.model);
+  return std::string(facts.name) + ": " + facts.words;
 }
 
 results::Topic powder_topic(const Scene& scene) {
@@ -92,7 +83,7 @@ void add_own_law(const Scene& scene, results::Topic& topic) {
   state(topic, "Friction",
         results::formatted("Coulomb, coefficient %.3g, ", contact.friction) +
             results::formatted("tangential stiffness %.3g N/m", contact.tangential));
-  if (scene.powder.model == GrainModel::B)
+  if (has_rolling_friction(scene.powder))
     state(topic, "Rolling friction", results::formatted("%.3g mm", 1e3 * contact.rolling_friction));
 }
 

@@ -14,6 +14,18 @@ CurveStyle style_of(results::ExperimentSeries::Role role) {
   return role == Role::predicted ? CurveStyle::kLine : CurveStyle::kMarkers;
 }
 
+/// The scatter as error bars, round a dense curve as a band.
+Curve curve_of(const results::ExperimentSeries& series) {
+  constexpr std::size_t kMostBars = 40;
+  Curve curve = {.name = series.in_legend ? series.name : "",
+                 .x = series.x,
+                 .y = series.y,
+                 .style = style_of(series.role),
+                 .y_error = {}};
+  (series.y_scatter.size() > kMostBars ? curve.band : curve.y_error) = series.y_scatter;
+  return curve;
+}
+
 }  // namespace
 
 Chart chart_of(const results::ExperimentChart& chart) {
@@ -23,13 +35,7 @@ Chart chart_of(const results::ExperimentChart& chart) {
   drawn.note = chart.note;
   drawn.x = axis_of(chart.x);
   drawn.y = axis_of(chart.y);
-  for (const auto& series : chart.series) {
-    drawn.curves.push_back({.name = series.in_legend ? series.name : "",
-                            .x = series.x,
-                            .y = series.y,
-                            .style = style_of(series.role),
-                            .y_error = {}});
-  }
+  for (const auto& series : chart.series) drawn.curves.push_back(curve_of(series));
   return drawn;
 }
 

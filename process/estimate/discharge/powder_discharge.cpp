@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "process/scene/powder/grain_models.h"
 #include "process/scene/powder/powder_presets.h"
 #include "process/scene/powder/unchanged_preset.h"
 
@@ -29,7 +30,7 @@ PowderDischarge discharge_of(const PowderSpec& powder) {
   if (powder.model == GrainModel::D && powder.name != "ASC100.29 D1") {
     law.numbers = continuum::kSimulatedDischarge;
     law.longest = kLongestSimulated;
-    law.grain_diameter = 6 * reference_sphere_radius(GrainModel::D);
+    law.grain_diameter = 6 * facts_of(GrainModel::D).sphere_radius;
     law.source = "hopper of model D grains, friction 0.5, no cohesion (Bierwisch 2009, Table 5.2)";
     law.applies = "grains of the same shape; more friction and cohesion let less run in";
     if (as_published && powder.name == "Distaloy AE")

@@ -3,9 +3,11 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "process/input/scene_error.h"
 #include "process/laboratory/published/csv_fields.h"
+#include "process/results/csv_field.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -46,6 +48,19 @@ double number_in(const std::string& field, const std::string& where) {
 double number_or_nothing_in(const std::string& field, const std::string& where) {
   if (field.empty()) return std::numeric_limits<double>::quiet_NaN();
   return number_as(field, where, "a number or nothing");
+}
+
+std::vector<double> numbers_in(const std::string& field, const std::string& where) {
+  std::vector<double> numbers;
+  std::istringstream words(field);
+  for (std::string word; words >> word;) numbers.push_back(number_in(word, where));
+  return numbers;
+}
+
+std::string text_of(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : " ") + results::csv_number(number);
+  return text;
 }
 
 }  // namespace diefill::process::laboratory

@@ -26,4 +26,8 @@ double number_in(const std::string& field, const std::string& where);
 /// The same; NaN for an empty field.
 double number_or_nothing_in(const std::string& field, const std::string& where);
 
+/// The numbers of a field, with blanks between; and such a field.
+std::vector<double> numbers_in(const std::string& field, const std::string& where);
+std::string text_of(const std::vector<double>& numbers);
+
 }  // namespace diefill::process::laboratory

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 #include "process/input/scene_error.h"
 #include "process/laboratory/published/csv_rows.h"
@@ -16,20 +15,14 @@ namespace {
 constexpr std::size_t kColumns = 6;
 const std::array<std::string, 3> kSizes = {"coarse", "medium", "published"};
 
-std::size_t fineness(const std::string& size) {
-  return static_cast<std::size_t>(std::find(kSizes.begin(), kSizes.end(), size) - kSizes.begin());
-}
-
 KeptResult result_of(const std::vector<std::string>& fields, const PublishedFigure& figure,
                      const std::string& where) {
   KeptResult kept;
   kept.size = fields[1];
-  if (fineness(kept.size) == kSizes.size())
-    throw SceneError(where + ": found \"" + kept.size + "\", expected coarse, medium or published");
+  fineness_of(kept.size, where);
   kept.row.id = figure.id;
   take_published(figure, kept.row);
-  std::istringstream values(fields[2]);
-  for (std::string value; values >> value;) kept.row.values.push_back(number_in(value, where));
+  kept.row.values = numbers_in(fields[2], where);
   if (!fields[3].empty()) kept.row.grain_diameter = 1e-3 * number_in(fields[3], where);
   kept.row.core_seconds = number_in(fields[4], where);
   kept.row.reason = fields[5];
@@ -58,10 +51,17 @@ std::string quantity_in(const std::vector<results::LabTable>& measured, const Ke
 
 bool replaces(const results::LabRow& row, const std::string& size, const KeptResult& earlier) {
   if (row.values.empty()) return earlier.row.values.empty();
-  return earlier.row.values.empty() || fineness(size) >= fineness(earlier.size);
+  return earlier.row.values.empty() || fineness_of(size) >= fineness_of(earlier.size);
 }
 
 }  // namespace
+
+std::size_t fineness_of(const std::string& size, const std::string& where) {
+  const auto found = std::find(kSizes.begin(), kSizes.end(), size);
+  if (found == kSizes.end())
+    throw SceneError(where + ": found \"" + size + "\", expected coarse, medium or published");
+  return static_cast<std::size_t>(found - kSizes.begin());
+}
 
 std::vector<KeptResult> read_kept_results(const std::filesystem::path& file,
                                           const std::vector<PublishedFigure>& figures) {
@@ -89,13 +89,9 @@ void take_over(std::vector<KeptResult>& kept, const std::vector<results::LabTabl
 std::string csv_of(const std::vector<KeptResult>& kept) {
   std::string text = "id,size,values,d_mm,core_seconds,reason\n";
   for (const auto& [size, row] : kept) {
-    std::string values;
-    for (const double value : row.values) {
-      if (!values.empty()) values += ' ';
-      values += results::csv_number(value);
-    }
-    text += row.id + ',' + size + ',' + values + ',' + results::csv_number(1e3 * row.grain_diameter, 6) +
-            ',' + results::csv_number(row.core_seconds, 4) + ',' + results::csv_text(row.reason) + '\n';
+    text += row.id + ',' + size + ',' + text_of(row.values) + ',' +
+            results::csv_number(1e3 * row.grain_diameter, 6) + ',' +
+            results::csv_number(row.core_seconds, 4) + ',' + results::csv_text(row.reason) + '\n';
   }
   return text;
 }

@@ -19,6 +19,9 @@ struct KeptResult {
   results::LabRow row;  ///< with range and verdict of the figure as it is published at present
 };
 
+/// 0 of "coarse", 1 of "medium", 2 of "published". Throws SceneError that names `where` for another word.
+std::size_t fineness_of(const std::string& size, const std::string& where = "size");
+
 /// All of `file`; none where it is missing. Figures that are not published are left out. Throws SceneError,
 /// naming the line, for a file that is wrong.
 std::vector<KeptResult> read_kept_results(const std::filesystem::path& file,

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "process/results/formatted.h"
+#include "process/scene/powder/grain_models.h"
 #include "process/scene/powder/powder_file.h"
 #include "process/scene/powder/powder_presets.h"
 #include "process/scene/scene_text.h"
@@ -15,13 +16,6 @@ namespace {
 
 constexpr const char* kAnyScene = "bed.toml";  // that reads the powder file
 constexpr const char* kTables[] = {"powder", "contact", "walls"};
-
-/// The text in quotes, with whatever stands in it escaped: as a value, or as a part of a key.
-std::string in_quotes(const std::string& text) {
-  std::ostringstream written;
-  written << toml::value<std::string>(text);
-  return written.str();
-}
 
 /// A line for each value of a table, tables within it key by key.
 std::string lines_of(const toml::table& table, const std::string& path) {
@@ -93,7 +87,7 @@ void require_use_of_powder(const SceneExperiment& experiment, const LabSetting& 
 LabPowder lab_powder(const LabSetting& setting, const std::string& preset, double scale) {
   LabPowder powder;
   if (!has_own_powder(setting)) {
-    powder.own_size = nominal_grain_diameter(powder_preset(preset).model);
+    powder.own_size = facts_of(powder_preset(preset).model).grain_diameter;
     powder.solid_density = preset_solid_density(powder_preset(preset));
     powder.changes.set = line("powder.preset", '"' + preset + '"');
     powder.creeps = preset == "ASC100.29 A1";
@@ -126,6 +120,12 @@ std::string millimetres(double metres) {
 
 std::string point_in_millimetres(double x, double y, double z) {
   return '[' + millimetres(x) + ", " + millimetres(y) + ", " + millimetres(z) + ']';
+}
+
+std::string in_quotes(const std::string& text) {
+  std::ostringstream written;
+  written << toml::value<std::string>(text);
+  return written.str();
 }
 
 std::string line(const std::string& key, const std::string& value) {

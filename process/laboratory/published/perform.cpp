@@ -4,7 +4,9 @@
 #include <cmath>
 #include <set>
 
+#include "process/laboratory/published/charts_over_seeds.h"
 #include "process/laboratory/published/custom_runs.h"
+#include "process/laboratory/published/lab_powder.h"
 #include "process/results/figure_table.h"
 #include "process/results/storage/result_file.h"
 #include "process/results/studies/job_cost.h"
@@ -17,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Variant> variants_of(const LabPlan& plan, const LabSetting& setting) {
+std::vector<Variant> variants_of(const SceneExperiment& experiment, const LabPlan& plan,
+                                 const LabSetting& setting) {
   std::vector<std::string> names;
   for (const LabRun& run : plan.runs) names.push_back(run.name);
   const auto folders = folder_names(names);
@@ -26,6 +29,7 @@ std::vector<Variant> variants_of(const LabPlan& plan, const LabSetting& setting)
     const fs::path file = setting.scenes / plan.runs[k].scene;
     SceneChanges changes = plan.runs[k].changes;
     changes.source = "experiment \"" + names[k] + '"';
+    changes.under = line("title", in_quotes(experiment.name + ": " + names[k])) + changes.under;
     variants.push_back({names[k], folders[k], changed_scene(load_scene_text(file), file, changes)});
   }
   return variants;
@@ -140,26 +144,20 @@ void measure(const LabQuantity& quantity, const FinishedRuns& runs, results::Lab
     if (std::isfinite(value)) row.values.push_back(value);
 }
 
-/// A series without values, which would only take up space in the legend.
-bool has_no_value(const results::ExperimentSeries& series) {
-  return std::none_of(series.y.begin(), series.y.end(), [](double value) { return std::isfinite(value); });
-}
-
 /// Charts of what there is; a result that lacks what they draw leaves them out, and `on_note` gets the
 /// reason.
 std::vector<results::ExperimentChart> charts_of(const SceneExperiment& experiment, const LabPlan& plan,
                                                 const std::vector<SeedResults>& seeds,
                                                 const NoteCallback& on_note) {
-  std::vector<results::ExperimentChart> charts;
+  std::vector<std::vector<results::ExperimentChart>> of_seeds;
   try {
-    charts = plan.charts(seeds);
+    for (const SeedResults& seed : seeds) of_seeds.push_back(plan.charts(seed));
   } catch (const results::ResultError& error) {
     if (on_note) on_note(std::string("charts of ") + experiment.name + ": " + error.what());
   }
-  for (auto& chart : charts) {
-    std::erase_if(chart.series, has_no_value);
+  auto charts = charts_over_seeds(std::move(of_seeds));
+  for (auto& chart : charts)
     if (chart.name == experiment.name) chart.name += "_chart";  // <experiment>.csv is the table
-  }
   return charts;
 }
 
@@ -202,7 +200,8 @@ std::string verdict_of(const results::LabRow& row) {
 
 bool holds_runs_of_other_scenes(const SceneExperiment& experiment, const LabSetting& setting,
                                 const fs::path& directory, int seeds) {
-  const WantedJobs wanted{experiment.name, variants_of(experiment.plan(setting), setting), seeds, {}};
+  const WantedJobs wanted{
+      experiment.name, variants_of(experiment, experiment.plan(setting), setting), seeds, {}};
   return !find_jobs(directory, wanted).other_scenes.empty();
 }
 
@@ -211,7 +210,7 @@ LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
   const LabPlan plan = experiment.plan(setting);
   FoundJobs found;
   if (!plan.runs.empty()) {
-    const WantedJobs wanted{experiment.name, variants_of(plan, setting), jobs.seeds, {}};
+    const WantedJobs wanted{experiment.name, variants_of(experiment, plan, setting), jobs.seeds, {}};
     if (jobs.run) {
       found.list = write_jobs(jobs.directory, wanted, jobs.on_note);
       run_jobs(jobs.directory, found.list, jobs.options);

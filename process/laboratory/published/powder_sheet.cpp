@@ -155,7 +155,7 @@ void add_slits(const LabSetting& setting, const LabPowder& powder, LabPlan& plan
   }
 }
 
-results::ExperimentChart discharge_chart(const std::vector<SeedResults>& seeds) {
+results::ExperimentChart discharge_chart(const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "powder_sheet_discharge";
   chart.title = "Discharge of the shoe through a slit of 10 mm";
@@ -170,8 +170,8 @@ results::ExperimentChart discharge_chart(const std::vector<SeedResults>& seeds) 
   }
   results::ExperimentSeries model{.name = "model powder", .x = {}, .y = {}};
   for (const double speed : kSpeeds)
-    if (seeds.front().has(slit_name(speed))) {
-      const double area = 1e6 * discharged_area(seeds.front(), slit_name(speed));
+    if (seed.has(slit_name(speed))) {
+      const double area = 1e6 * discharged_area(seed, slit_name(speed));
       model.x.push_back(speed);
       model.y.push_back(area > 0 ? area : std::numeric_limits<double>::quiet_NaN());
     }
@@ -187,7 +187,7 @@ LabPlan plan_powder_sheet(const LabSetting& setting) {
   add_funnel(setting, powder, plan);
   add_heap(setting, plan);
   add_slits(setting, powder, plan);
-  plan.charts = [](const std::vector<SeedResults>& seeds) { return std::vector{discharge_chart(seeds)}; };
+  plan.charts = [](const SeedResults& seed) { return std::vector{discharge_chart(seed)}; };
   return plan;
 }
 

@@ -78,8 +78,8 @@ struct LabQuantity {
   std::function<double(const std::vector<SeedResults>&)> over_seeds = {};
 };
 
-/// Charts from the seeds whose runs are finished, as far as they are.
-using LabCharts = std::function<std::vector<results::ExperimentChart>(const std::vector<SeedResults>&)>;
+/// Charts of one seed, as far as its runs are finished; charts_over_seeds.h puts those of all seeds together.
+using LabCharts = std::function<std::vector<results::ExperimentChart>(const SeedResults&)>;
 
 struct LabPlan {
   std::vector<LabRun> runs;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "process/results/csv_field.h"
@@ -58,11 +59,17 @@ std::string quoted(const std::string& text) {
 }
 
 std::string csv_of(const ExperimentChart& chart) {
-  std::string text = quoted(chart.x.label) + ",series,role," + quoted(chart.y.label) + "\n";
+  const bool scatter = std::any_of(chart.series.begin(), chart.series.end(),
+                                   [](const ExperimentSeries& series) { return !series.y_scatter.empty(); });
+  std::string text = quoted(chart.x.label) + ",series,role," + quoted(chart.y.label) +
+                     (scatter ? ",standard deviation over seeds\n" : "\n");
   for (const auto& series : chart.series)
-    for (std::size_t k = 0; k < series.x.size(); ++k)
+    for (std::size_t k = 0; k < series.x.size(); ++k) {
       text += csv_number(series.x[k]) + "," + quoted(series.name) + "," + role_of(series) + "," +
-              csv_number(series.y[k]) + "\n";
+              csv_number(series.y[k]);
+      if (scatter) text += "," + (series.y_scatter.empty() ? "" : csv_number(series.y_scatter[k]));
+      text += "\n";
+    }
   return text;
 }
 

@@ -21,6 +21,7 @@ struct ExperimentSeries {
   Role role = Role::measured;
   std::vector<double> x, y;  ///< equal lengths, in the axes' units; NaN where there is no value
   bool in_legend = true;
+  std::vector<double> y_scatter = {};  ///< standard deviation over seeds at each point; empty: not known
 };
 
 struct ExperimentAxis {
@@ -65,8 +66,9 @@ struct ExperimentResult {
   std::vector<ExperimentChart> charts;
 };
 
-/// Writes `<experiment>.json` and a `<chart>.csv` for every chart into the directory (x, series, role, y: one
-/// row a point). Throws ResultError when that fails.
+/// Writes `<experiment>.json` and a `<chart>.csv` for every chart into the directory: one row a point with x,
+/// series, role, y and, in charts of several seeds, the standard deviation. Throws ResultError when that
+/// fails.
 void write_experiment(const std::filesystem::path& directory, const ExperimentResult& result);
 
 /// Writes `<chart>.csv` alone. Throws ResultError when that fails.

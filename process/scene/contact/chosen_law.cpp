@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "process/scene/powder/grain_models.h"
+
 namespace diefill::process {
 namespace {
 
@@ -126,9 +128,10 @@ ChosenLaw read_law(const ContactTables& tables, const PowderSpec& powder) {
   link_to_spring(law);
   link_to_friction(law);
   refuse_nonsense(law);
-  if (powder.model == GrainModel::A && law.rolling.part->name != "none")
-    law.rolling.refuse("but grains of model A do not rotate; remove it or choose another powder.model");
-  if (law.rolling.parameters.own_spin_arm() > 0 && powder.model != GrainModel::B)
+  if (!rotates(powder) && law.rolling.part->name != "none")
+    law.rolling.refuse(std::string("but grains of model ") + name_of(powder.model) +
+                       " do not rotate; remove it or choose another powder.model");
+  if (law.rolling.parameters.own_spin_arm() > 0 && !has_rolling_friction(powder))
     law.rolling.refuse("a law of single rotating spheres; choose another law or powder.model = \"B\"");
   return law;
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "process/scene/powder/grain_models.h"
+
 namespace diefill::process {
 namespace {
 
@@ -59,28 +61,6 @@ constexpr std::array<Preset, 11> kPresets = {{
 
 constexpr const char* kTowers = "ASC100.29 A1";
 
-struct ReferenceSize {
-  GrainModel model;
-  double sphere_radius;   // m
-  double grain_diameter;  // m, as printed
-  double over_radius;     // d / R
-};
-
-// Bierwisch 2009, Table C.4.
-constexpr std::array<ReferenceSize, 4> kReferenceSizes = {{
-    {GrainModel::A, 1.5e-4, 3.0e-4, 2},
-    {GrainModel::B, 1.5e-4, 3.0e-4, 2},
-    {GrainModel::C, 8.9e-5, 3.56e-4, 4},
-    {GrainModel::D, 7.84e-5, 4.7e-4, 6},
-}};
-
-const ReferenceSize& size_of(GrainModel model) {
-  for (const ReferenceSize& size : kReferenceSizes) {
-    if (size.model == model) return size;
-  }
-  throw std::logic_error("a grain model without a row in kReferenceSizes");
-}
-
 /// kg/m^3 of the real powder; 0 where it has not been published.
 double apparent_density(const std::string& preset) {
   constexpr double kAsc10029 = 3000;  // Bierwisch 2009, section 4.1.1
@@ -123,7 +103,7 @@ PowderSpec powder_preset(const std::string& name) {
     PowderSpec powder;  // the properties that all presets share are its defaults (Table C.4)
     powder.name = name;
     powder.model = preset.model;
-    powder.sphere_radius = reference_sphere_radius(preset.model);
+    powder.sphere_radius = facts_of(preset.model).sphere_radius;
     powder.friction = preset.friction;
     powder.work_of_adhesion = preset.work_of_adhesion;
     powder.rolling_friction = preset.rolling_friction;
@@ -134,17 +114,9 @@ PowderSpec powder_preset(const std::string& name) {
   throw std::invalid_argument("unknown powder preset \"" + name + '"');
 }
 
-double nominal_grain_diameter(GrainModel model) {
-  return size_of(model).grain_diameter;
-}
-
-double reference_sphere_radius(GrainModel model) {
-  return size_of(model).sphere_radius;
-}
-
 double diameter_over_radius(const PowderSpec& powder) {
   if (powder.clump) return 2 * powder.clump->bounding_radius() / powder.clump->sphere_radius;
-  return size_of(powder.model).over_radius;
+  return facts_of(powder.model).over_radius;
 }
 
 double coarse_graining_factor(const PowderSpec& powder) {

@@ -7,6 +7,7 @@
 
 #include "engine/powder/grain_shape.h"
 #include "process/input/numbers_apart.h"
+#include "process/scene/powder/grain_models.h"
 
 namespace diefill::process {
 namespace {
@@ -29,20 +30,8 @@ std::pair<std::string, std::string> millimetres_apart(double one, double other) 
 constexpr double kRounding = 1e-9;
 
 double solid_volume(const PowderSpec& powder) {
-  const double radius = powder.sphere_radius, mass = powder.grain_mass;
-  switch (powder.model) {
-    case GrainModel::A:
-      return engine::model_a(radius, mass).solid_volume;
-    case GrainModel::B:
-      return engine::model_b(radius, mass).solid_volume;
-    case GrainModel::C:
-      return engine::model_c(radius, mass).solid_volume;
-    case GrainModel::D:
-      return engine::model_d(radius, mass).solid_volume;
-    case GrainModel::clump:
-      return powder.clump->solid_volume;
-  }
-  throw std::logic_error("a grain model without a solid volume");
+  if (powder.clump) return powder.clump->solid_volume;
+  return facts_of(powder.model).shape(powder.sphere_radius, powder.grain_mass).solid_volume;
 }
 
 void check_box(const TableReader& table, const PourSpec& pour, const PowderSpec& powder) {

@@ -5,6 +5,7 @@
 #include "engine/coarse_graining/methods.h"
 #include "process/machine/actions/powder_inflow.h"
 #include "process/scene/contact/contact_spec.h"
+#include "process/scene/powder/grain_models.h"
 #include "process/scene/reading/plausibility.h"
 #include "process/scene/reading/sections.h"
 #include "process/scene/reading/wall_rules.h"
@@ -78,9 +79,8 @@ void read_pair(TableReader& table, Scene& scene) {
 void refuse_rolling_beside_clumps(TableReader& powder, const Scene& scene) {
   bool rolls = false, clumps = false;
   for (std::size_t k = 0; k <= scene.other_powders.size(); ++k) {
-    const GrainModel model = powder_of(scene, k).model;
     rolls = rolls || powder_of(scene, k).rolling_friction > 0;
-    clumps = clumps || (model != GrainModel::A && model != GrainModel::B);
+    clumps = clumps || !has_single_spheres(powder_of(scene, k));
   }
   if (rolls && clumps)
     throw SceneError(powder.where(powder.has("rolling_friction") ? "rolling_friction" : "preset") +

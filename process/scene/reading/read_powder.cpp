@@ -1,5 +1,6 @@
 #include <optional>
 
+#include "process/scene/powder/grain_models.h"
 #include "process/scene/powder/powder_file.h"
 #include "process/scene/powder/powder_presets.h"
 #include "process/scene/reading/plausibility.h"
@@ -23,9 +24,9 @@ constexpr QuantityRule kViscosity = {Dimension::viscosity, "2e-5 Pa s", "0 Pa s"
 constexpr QuantityRule kApparentDensity = {Dimension::density, "3.0 g/cm^3", "0.01 g/cm^3", "25 g/cm^3"};
 constexpr NumberRule kFriction = {0, 10, false, "0.5"};
 
-const Choices<GrainModel>& models() {
-  static const Choices<GrainModel> choices = {
-      {"A", GrainModel::A}, {"B", GrainModel::B}, {"C", GrainModel::C}, {"D", GrainModel::D}};
+Choices<GrainModel> models() {
+  Choices<GrainModel> choices;
+  for (const GrainModelFacts& facts : grain_models()) choices.emplace_back(facts.name, facts.model);
   return choices;
 }
 
@@ -40,14 +41,14 @@ Choices<std::string> presets() {
 void change_model(PowderSpec& powder, GrainModel model) {
   if (model == powder.model) return;
   powder.model = model;
-  powder.sphere_radius = reference_sphere_radius(model);
-  if (model != GrainModel::B) powder.rolling_friction = 0;
+  powder.sphere_radius = facts_of(model).sphere_radius;
+  if (!has_rolling_friction(powder)) powder.rolling_friction = 0;
 }
 
 void read_rolling_friction(TableReader& table, PowderSpec& powder) {
   const auto given = table.quantity("rolling_friction", kRolling);
   if (!given) return;
-  if (*given > 0 && powder.model != GrainModel::B) {
+  if (*given > 0 && !has_rolling_friction(powder)) {
     table.reject(
         "rolling_friction",
         "only model \"B\" (a rotating sphere) has rolling friction; remove the key or choose model B");
@@ -75,7 +76,7 @@ void read_overrides(TableReader& table, PowderSpec& powder) {
 /// tabulated R = 0.0784 mm, whose 6R is 0.4704 mm, and likewise its multiples.
 void read_grain_diameter(TableReader& table, PowderSpec& powder, bool tabulated_radius) {
   const double exact = diameter_over_radius(powder) * powder.sphere_radius;
-  const double nominal = tabulated_radius ? nominal_grain_diameter(powder.model) : exact;
+  const double nominal = tabulated_radius ? facts_of(powder.model).grain_diameter : exact;
   const auto wanted = table.quantity("grain_diameter", kGrainDiameter);
   powder.grain_diameter = wanted ? *wanted / nominal * exact : exact;
 }

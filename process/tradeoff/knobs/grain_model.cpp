@@ -1,9 +1,14 @@
+#include "process/scene/powder/grain_models.h"
 #include "process/tradeoff/knobs/knobs.h"
 
 namespace diefill::process {
 namespace {
 
-const std::vector<std::string> kModels = {"A", "B", "C", "D"};
+std::vector<std::string> models() {
+  std::vector<std::string> names;
+  for (const GrainModelFacts& facts : grain_models()) names.emplace_back(facts.name);
+  return names;
+}
 
 /// A clump of the scene's own is none of the models: there is nothing to compare them with.
 bool has_clump(const Scene& scene) {
@@ -11,11 +16,11 @@ bool has_clump(const Scene& scene) {
 }
 
 std::string current_model(const Scene& scene) {
-  return has_clump(scene) ? "clump" : kModels.at(static_cast<std::size_t>(scene.powder.model));
+  return name_of(scene.powder.model);
 }
 
 std::vector<std::string> usual_models(const Scene& scene) {
-  return has_clump(scene) ? std::vector<std::string>{} : kModels;
+  return has_clump(scene) ? std::vector<std::string>{} : models();
 }
 
 SceneChanges changed_model(const Scene& scene, const std::string& value) {
@@ -33,7 +38,7 @@ Knob grain_model_knob() {
           .label = "grain model",
           .sign = "model",
           .finer = Finer::as_listed,
-          .words = kModels,
+          .words = models(),
           .current = current_model,
           .usual = usual_models,
           .changes = changed_model};

@@ -112,6 +112,16 @@ TEST(Lab, WhatTheBudgetLeavesOutIsSaid) {
   EXPECT_EQ(table["rows"][0]["reason"], "1 of 1 runs not finished (budget used, or stopped)");
 }
 
+// Runs of an experiment share a scene file; pictures and reports name the run.
+TEST(Lab, ScenesAreTitledAfterExperimentAndRun) {
+  const support::TemporaryFolder folder;
+  const Outcome outcome =
+      run_program({"lab", "mean_fractions", "--budget", "1e-9", "--quiet", "--out", folder.path().string()});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const std::string scene = contents(folder.path() / "mean_fractions/coarse/D2/seed-1/scene.toml");
+  EXPECT_NE(scene.find("\"mean_fractions: D2\""), std::string::npos) << scene;
+}
+
 // What was run of another scene stays as it is, and the table says why it does not count.
 TEST(Lab, CollectingLeavesFoldersOfRunsAsTheyAre) {
   const support::TemporaryFolder folder;

@@ -22,6 +22,18 @@ ExperimentResult sample() {
   return result;
 }
 
+TEST(ExperimentTables, CurvesOverSeedsHaveTheirStandardDeviation) {
+  const support::TemporaryFolder folder;
+  ExperimentChart chart = sample().charts[0];
+  chart.series[0].y_scatter = {0.5, 0};
+  chart.series.push_back(
+      {.name = "published", .role = ExperimentSeries::Role::published, .x = {1}, .y = {4}});
+  write_chart(folder.path(), chart);
+  EXPECT_EQ(support::contents(folder.path() / "curve.csv"),
+            "x [m],series,role,y,standard deviation over seeds\n1,found,measured,3,0.5\n"
+            "2,found,measured,,0\n1,published,published,4,\n");
+}
+
 TEST(ExperimentTables, LimitsAsCsv) {
   const support::TemporaryFolder folder;
   write_limits(folder.path(), "limits", {sample()});

@@ -147,7 +147,7 @@ results::ExperimentChart angle_of_repose_chart(const std::vector<Model>& models,
   chart.name = "angle_of_repose";
   chart.title = "Surfaces of the heaps on slider and floor";
   chart.subtitle =
-      "Highest grain in columns of 2 d, one seed; slider above 0 mm; heaps that creep 4 s after the draw; "
+      "Highest grain in columns of 2 d; slider above 0 mm; heaps that creep 4 s after the draw; "
       "published angles in the table";
   chart.x = {.label = "x [mm]"};
   chart.y = {.label = "Height above the slider [mm]"};
@@ -205,8 +205,8 @@ LabPlan plan_angle_of_repose(const LabSetting& setting) {
                                  }});
   }
   if (!has_own_powder(setting)) add_effect_of_cohesion(plan);
-  plan.charts = [models, heaps](const std::vector<SeedResults>& seeds) {
-    return std::vector{angle_of_repose_chart(models, heaps, seeds.front())};
+  plan.charts = [models, heaps](const SeedResults& seed) {
+    return std::vector{angle_of_repose_chart(models, heaps, seed)};
   };
   return plan;
 }

@@ -145,23 +145,23 @@ LayerProfile layers_of(const results::PowderState& powder) {
   return layer_profile(powder, powder.period[0] * powder.period[1]);
 }
 
-std::vector<results::ExperimentChart> charts_of(const std::vector<SeedResults>& seeds, const Sizes& sizes) {
+std::vector<results::ExperimentChart> charts_of(const SeedResults& seed, const Sizes& sizes) {
   results::ExperimentChart overlaps, layers;
   overlaps.name = "bulk_formation_overlaps";
   overlaps.title = "Contact overlaps in deposited beds";
-  overlaps.subtitle = "Model D, slab of 10 mm; one seed; published peaks at 2e-4 and 8e-4";
+  overlaps.subtitle = "Model D, slab of 10 mm; published peaks at 2e-4 and 8e-4";
   overlaps.x = {.label = "Overlap over grain size [1]", .lower = 0, .upper = 2e-3};
   overlaps.y = {.label = "Fraction of contacts [1]"};
   layers.name = "bulk_formation_layers";
   layers.title = "Area fraction of solid over height in deposited beds";
-  layers.subtitle = "Model D, slab of 10 mm; one seed; lowest published near the ground: 0.18";
+  layers.subtitle = "Model D, slab of 10 mm; lowest published near the ground: 0.18";
   layers.x = {.label = "Height over grain size [1]", .lower = 0, .upper = 5};
   layers.y = {.label = "Area fraction of solid [1]"};
   for (const Set& set : {kFree, kCohesive})
     for (const double scale : {sizes.fine, sizes.coarse}) {
       const std::string run = run_name(set, scale);
-      if (!seeds.front().has(run)) continue;
-      const auto& powder = seeds.front().of(run).powder;
+      if (!seed.has(run)) continue;
+      const auto& powder = seed.of(run).powder;
       const auto contacts = contact_statistics(powder);
       const auto profile = layers_of(powder);
       using Role = results::ExperimentSeries::Role;
@@ -227,7 +227,7 @@ LabPlan plan_bulk_formation(const LabSetting& setting) {
                        return near_ground(layers_of(bed.powder), bulk_of(bed)).bulk_reached_at;
                      })};
   add_differences(sizes, plan);
-  plan.charts = [sizes](const std::vector<SeedResults>& seeds) { return charts_of(seeds, sizes); };
+  plan.charts = [sizes](const SeedResults& seed) { return charts_of(seed, sizes); };
   return plan;
 }
 

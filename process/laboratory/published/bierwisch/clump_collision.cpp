@@ -83,7 +83,7 @@ results::ExperimentChart clump_collision_chart(const SeedResults& seed, const Ca
   results::ExperimentChart chart;
   chart.name = "clump_collision_" + std::string(one.id);
   chart.title = "Contact energy of colliding grains: " + std::string(one.name);
-  chart.subtitle = "Model D, 0.2 m/s standard deviation of velocities, no gravity; one seed";
+  chart.subtitle = "Model D, 0.2 m/s standard deviation of velocities, no gravity";
   chart.x = {.label = "Time over grain size [s/m]"};
   chart.y = {.label = "Contact energy over solid volume [J/m3]"};
   for (const double scale : kScales) {
@@ -112,9 +112,9 @@ LabPlan plan_clump_collision(const LabSetting&) {
     quantity.value = [&one](const SeedResults& seed) { return largest_difference(seed, one); };
     plan.quantities.push_back(quantity);
   }
-  plan.charts = [](const std::vector<SeedResults>& seeds) {
+  plan.charts = [](const SeedResults& seed) {
     std::vector<results::ExperimentChart> charts;
-    for (const Case& one : kCases) charts.push_back(clump_collision_chart(seeds.front(), one));
+    for (const Case& one : kCases) charts.push_back(clump_collision_chart(seed, one));
     return charts;
   };
   return plan;

@@ -94,9 +94,7 @@ LabPlan plan_heap_sizes(const LabSetting& setting) {
          if (!std::isfinite(toe + peak)) return std::numeric_limits<double>::quiet_NaN();
          return 0.5 * (toe > 0) + 0.5 * (peak > 0);
        }});
-  plan.charts = [=](const std::vector<SeedResults>& seeds) {
-    return std::vector{heap_sizes_chart(points, reach, seeds.front())};
-  };
+  plan.charts = [=](const SeedResults& seed) { return std::vector{heap_sizes_chart(points, reach, seed)}; };
   return plan;
 }
 

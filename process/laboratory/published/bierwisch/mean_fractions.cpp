@@ -55,8 +55,7 @@ LabQuantity fraction_of(bool published, const std::string& id, const std::string
           }};
 }
 
-results::ExperimentChart mean_fractions_chart(const std::vector<Model>& models,
-                                              const std::vector<SeedResults>& seeds) {
+results::ExperimentChart mean_fractions_chart(const std::vector<Model>& models, const SeedResults& seed) {
   using Role = results::ExperimentSeries::Role;
   results::ExperimentChart chart;
   chart.name = "mean_fractions";
@@ -76,11 +75,9 @@ results::ExperimentChart mean_fractions_chart(const std::vector<Model>& models,
       const double place = static_cast<double>(k) + (at_rest ? 0.92 : 1.08);
       const double value = at_rest ? models[k].at_rest : models[k].in_motion;
       if (std::isfinite(value)) published.x.push_back(place), published.y.push_back(value);
-      for (const SeedResults& seed : seeds)
-        if (seed.has(models[k].name)) {
-          here.x.push_back(place);
-          here.y.push_back(results::figure_of(seed.at(models[k].name, state), "bulk_solid_fraction"));
-        }
+      if (!seed.has(models[k].name)) continue;
+      here.x.push_back(place);
+      here.y.push_back(results::figure_of(seed.at(models[k].name, state), "bulk_solid_fraction"));
     }
     for (const auto& series : {published, here})
       if (!series.x.empty()) chart.series.push_back(series);
@@ -99,9 +96,7 @@ LabPlan plan_mean_fractions(const LabSetting& setting) {
     plan.quantities.push_back(fraction_of(published, model.settled, model.name, "settled"));
     plan.quantities.push_back(fraction_of(published, model.moving, model.name, "moving"));
   }
-  plan.charts = [models](const std::vector<SeedResults>& seeds) {
-    return std::vector{mean_fractions_chart(models, seeds)};
-  };
+  plan.charts = [models](const SeedResults& seed) { return std::vector{mean_fractions_chart(models, seed)}; };
   return plan;
 }
 

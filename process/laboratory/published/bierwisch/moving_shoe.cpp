@@ -42,7 +42,7 @@ results::ExperimentChart moving_shoe_chart(const std::vector<Point>& points,
   results::ExperimentChart chart;
   chart.name = "moving_shoe";
   chart.title = "Discharge of the moving shoe";
-  chart.subtitle = "Published: Eq. 5.17, from the transient discharge of the hopper; one seed";
+  chart.subtitle = "Published: Eq. 5.17, from the transient discharge of the hopper";
   chart.x = {.label = "Speed of the shoe [m/s]", .lower = 0};
   chart.y = {.label = "Discharged area [mm2]", .lower = 0};
   std::map<double, std::vector<PointOfRun>> slits;
@@ -78,9 +78,8 @@ LabPlan plan_of(const LabSetting& setting, const std::vector<Point>& points) {
            return 1e6 * discharged_area(seed, run);
          }});
   }
-  plan.charts = [points,
-                 published = published_areas(setting, points)](const std::vector<SeedResults>& seeds) {
-    return std::vector{moving_shoe_chart(points, published, seeds.front())};
+  plan.charts = [points, published = published_areas(setting, points)](const SeedResults& seed) {
+    return std::vector{moving_shoe_chart(points, published, seed)};
   };
   return plan;
 }

@@ -106,9 +106,7 @@ LabPlan plan_ring_levels(const LabSetting& setting) {
          .runs = {run.name},
          .value = [name = run.name](const SeedResults& seed) { return mean_level(seed, name); }});
   }
-  plan.charts = [runs](const std::vector<SeedResults>& seeds) {
-    return std::vector{ring_levels_chart(runs, seeds.front())};
-  };
+  plan.charts = [runs](const SeedResults& seed) { return std::vector{ring_levels_chart(runs, seed)}; };
   return plan;
 }
 

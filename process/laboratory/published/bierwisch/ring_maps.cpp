@@ -49,8 +49,7 @@ results::ExperimentChart ring_maps_chart(const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "ring_maps";
   chart.title = "Solid fraction over the azimuth";
-  chart.subtitle =
-      "Mean and first two harmonics; published: two passages densify the far side (180 deg); one seed";
+  chart.subtitle = "Mean and first two harmonics; published: two passages densify the far side (180 deg)";
   chart.x = {.label = "Azimuth [deg]", .lower = 0, .upper = kTurn};
   chart.y = {.label = "Solid fraction [-]"};
   for (const char* run : {kSlow, kTwo}) {
@@ -112,9 +111,7 @@ LabPlan plan_ring_maps(const LabSetting& setting) {
     plan.quantities.push_back(of_one("filled mass", "g", run, "filled_mass_kg", 1e3));
     plan.quantities.push_back(of_one("mean solid fraction", "1", run, "solid_fraction_mean", 1));
   }
-  plan.charts = [](const std::vector<SeedResults>& seeds) {
-    return std::vector{ring_maps_chart(seeds.front())};
-  };
+  plan.charts = [](const SeedResults& seed) { return std::vector{ring_maps_chart(seed)}; };
   return plan;
 }
 

@@ -86,8 +86,8 @@ double change_near_surface(const results::PowderState& before, const results::Po
   return near / all;
 }
 
-double depth_of_motion(const results::PowderState& before, const results::PowderState& after,
-                       const RingSpace& ring) {
+std::vector<double> moved_shares(const results::PowderState& before, const results::PowderState& after,
+                                 const RingSpace& ring) {
   const std::size_t layers = layers_of(before, ring);
   std::vector<double> all(layers + 1, 0.0), moved(layers + 1, 0.0);
   for_stayers(before, after, [&](const Eigen::Vector3d& place, double way) {
@@ -95,8 +95,16 @@ double depth_of_motion(const results::PowderState& before, const results::Powder
     ++all[layer];
     moved[layer] += way > kMoved * before.grain_diameter ? 1 : 0;
   });
+  moved.pop_back();
+  for (std::size_t layer = 0; layer < layers; ++layer) moved[layer] /= all[layer];
+  return moved;
+}
+
+double depth_of_motion(const results::PowderState& before, const results::PowderState& after,
+                       const RingSpace& ring) {
+  const std::vector<double> moved = moved_shares(before, after, ring);
   std::size_t deep = 0;
-  while (deep < layers && (all[deep] == 0 || moved[deep] >= kEnough * all[deep])) ++deep;
+  while (deep < moved.size() && !(moved[deep] < kEnough)) ++deep;
   return std::min(ring.depth, static_cast<double>(deep) * before.grain_diameter);
 }
 

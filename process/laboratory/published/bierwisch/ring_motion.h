@@ -2,6 +2,8 @@
 // The ring is about the z axis, its upper edge at z = 0; azimuth 0 is at +x.
 #pragma once
 
+#include <vector>
+
 #include "process/results/fill_result.h"
 
 namespace diefill::process::laboratory {
@@ -20,8 +22,12 @@ double filled_volume(const results::PowderState& powder, bool near_start = false
 double change_near_surface(const results::PowderState& before, const results::PowderState& after,
                            const RingSpace& ring);
 
-/// m, depth down to which, layer by layer of d from the upper edge, a tenth of the grains that are in the
-/// ring at both instants have moved by half a diameter.
+/// Of the grains that are in the ring at both instants, the share that has moved by half a diameter: layer by
+/// layer of d from the upper edge down; NaN where there are none.
+std::vector<double> moved_shares(const results::PowderState& before, const results::PowderState& after,
+                                 const RingSpace& ring);
+
+/// m, depth down to which, layer by layer, a tenth of the grains have moved (moved_shares).
 double depth_of_motion(const results::PowderState& before, const results::PowderState& after,
                        const RingSpace& ring);
 

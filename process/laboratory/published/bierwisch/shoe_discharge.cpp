@@ -90,7 +90,7 @@ results::ExperimentChart shoe_discharge_chart(const std::vector<Model>& models, 
   results::ExperimentChart chart;
   chart.name = "shoe_discharge_" + plain(1e3 * width) + "mm";
   chart.title = "Discharge of the shoe through a slit of " + plain(1e3 * width) + " mm";
-  chart.subtitle = "Slits widened by 1.4 (d' - d) for grains of size d' in place of d; one seed";
+  chart.subtitle = "Slits widened by 1.4 (d' - d) for grains of size d' in place of d";
   chart.x = {.label = "Speed of the shoe [m/s]"};
   chart.y = {.label = "Discharged area [mm2]", .logarithmic = true};
   results::ExperimentSeries curve{.name = "measured, ASC100.29 (Eq. 4.1)",
@@ -168,9 +168,9 @@ LabPlan plan_shoe_discharge(const LabSetting& setting) {
     order.value = [speeds](const SeedResults& seed) { return share_between(seed, speeds); };
     plan.quantities.push_back(order);
   }
-  plan.charts = [models, speeds](const std::vector<SeedResults>& seeds) {
-    return std::vector{shoe_discharge_chart(models, kNarrow, speeds, seeds.front()),
-                       shoe_discharge_chart(models, kWide, speeds, seeds.front())};
+  plan.charts = [models, speeds](const SeedResults& seed) {
+    return std::vector{shoe_discharge_chart(models, kNarrow, speeds, seed),
+                       shoe_discharge_chart(models, kWide, speeds, seed)};
   };
   return plan;
 }

@@ -148,7 +148,7 @@ results::ExperimentChart slit_fields_chart(const LabSetting& setting, const Seed
   results::ExperimentChart chart;
   chart.name = "slit_fields";
   chart.title = "Speed of the grains in the slit";
-  chart.subtitle = "At ground level, shoe at 0.18 m/s, five instants; one seed";
+  chart.subtitle = "At ground level, shoe at 0.18 m/s, five instants";
   chart.x = {.label = "Place across the slit over its width [-]", .lower = -0.5, .upper = 0.5};
   chart.y = {.label = "Speed over that of the shoe [-]", .lower = 0};
   for (const Model& model : kModels) {
@@ -195,9 +195,7 @@ LabPlan plan_slit_fields(const LabSetting& setting) {
   add("L03", kFast, [setting, any](const SeedResults& seed) {
     return mean_over_models(seed, setting, kFast, unevenness, any);
   });
-  plan.charts = [setting](const std::vector<SeedResults>& seeds) {
-    return std::vector{slit_fields_chart(setting, seeds.front())};
-  };
+  plan.charts = [setting](const SeedResults& seed) { return std::vector{slit_fields_chart(setting, seed)}; };
   return plan;
 }
 

@@ -210,10 +210,10 @@ LabPlan plan_slit_flow(const LabSetting& setting) {
   }
   add_fixed_work(setting, cases, plan);
   if (!has_own_powder(setting)) add_bulk_fraction(setting, plan);
-  plan.charts = [cases, setting](const std::vector<SeedResults>& seeds) {
+  plan.charts = [cases, setting](const SeedResults& seed) {
     std::vector<results::ExperimentChart> charts;
     for (const Case& one : cases)
-      if (!one.fixed_work) charts.push_back(slit_flow_chart(setting, one, seeds.front()));
+      if (!one.fixed_work) charts.push_back(slit_flow_chart(setting, one, seed));
     return charts;
   };
   return plan;

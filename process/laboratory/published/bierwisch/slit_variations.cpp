@@ -108,16 +108,15 @@ void add_ratios(const Model& model, LabQuantity quantity, LabPlan& plan) {
   }
 }
 
-results::ExperimentChart packing_scatter_chart(const std::vector<SeedResults>& seeds) {
+results::ExperimentChart packing_scatter_chart(const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "packing_scatter";
   chart.title = "Discharge of several packings of the same powder";
   chart.x = {.label = "Speed of the shoe [m/s]", .lower = 0};
   chart.y = {.label = "Discharged area [mm2]", .lower = 0};
-  for (const SeedResults& seed : seeds)
-    add_run_series(chart, seed, "packing " + std::to_string(seed.seed()),
-                   {{kSlowShoe, packing_name(kSlowShoe)}, {kFastShoe, packing_name(kFastShoe)}},
-                   [&](const std::string& run) { return 1e6 * discharged_area(seed, run); });
+  add_run_series(chart, seed, "packing " + std::to_string(seed.seed()),
+                 {{kSlowShoe, packing_name(kSlowShoe)}, {kFastShoe, packing_name(kFastShoe)}},
+                 [&](const std::string& run) { return 1e6 * discharged_area(seed, run); });
   return chart;
 }
 
@@ -137,9 +136,7 @@ LabPlan plan_fill_height(const LabSetting& setting) {
     }
     add_ratios(model, quantity, plan);
   }
-  plan.charts = [models](const std::vector<SeedResults>& seeds) {
-    return std::vector{fill_chart(models, seeds.front())};
-  };
+  plan.charts = [models](const SeedResults& seed) { return std::vector{fill_chart(models, seed)}; };
   return plan;
 }
 
@@ -182,9 +179,7 @@ LabPlan plan_packing_scatter(const LabSetting& setting) {
                              .over_seeds = [slow](const std::vector<SeedResults>& seeds) {
                                return relative_scatter(seeds, slow);
                              }});
-  plan.charts = [](const std::vector<SeedResults>& seeds) {
-    return std::vector{packing_scatter_chart(seeds)};
-  };
+  plan.charts = [](const SeedResults& seed) { return std::vector{packing_scatter_chart(seed)}; };
   return plan;
 }
 

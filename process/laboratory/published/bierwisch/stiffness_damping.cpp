@@ -36,7 +36,7 @@ std::vector<Case> modulus_cases() {
     cases.push_back(
         {modulus,
          "E = " + plain(modulus) + " Pa",
-         "E~ = " + plain(modulus) + " Pa",
+         "E~ = " + plain(1e-6 * modulus) + " MPa",
          "ASC100.29 initial D",
          "powder.friction = 0.5\npowder.work_of_adhesion = \"0 J/m^2\"\npowder.reduced_modulus = \"" +
              plain(modulus) + " Pa\"\n",
@@ -96,7 +96,7 @@ results::ExperimentChart stiffness_damping_chart(const std::string& parameter,
   results::ExperimentChart chart;
   chart.name = areas ? "discharged_area" : "settled_fraction";
   chart.title = areas ? "Discharged area" : "Solid fraction of the settled powder";
-  chart.subtitle = "One passage; the slit is widened for coarse grains; one seed";
+  chart.subtitle = "One passage; the slit is widened for coarse grains";
   chart.x = {.label = parameter, .logarithmic = true};
   chart.y = {.label = areas ? "Discharged area [mm2]" : "Solid fraction [-]", .lower = 0};
   add_run_series(chart, seed, "model D", runs, [&](const std::string& run) {
@@ -113,9 +113,9 @@ LabPlan plan_of(const LabSetting& setting, const std::vector<Case>& cases, const
     add_case(setting, one, plan);
     points.push_back({one.value, one.name});
   }
-  plan.charts = [=](const std::vector<SeedResults>& seeds) {
-    return std::vector{stiffness_damping_chart(parameter, points, true, seeds.front()),
-                       stiffness_damping_chart(parameter, points, false, seeds.front())};
+  plan.charts = [=](const SeedResults& seed) {
+    return std::vector{stiffness_damping_chart(parameter, points, true, seed),
+                       stiffness_damping_chart(parameter, points, false, seed)};
   };
   return plan;
 }

@@ -110,7 +110,7 @@ results::ExperimentChart wall_discharge_chart(const std::map<double, std::vector
   results::ExperimentChart chart;
   chart.name = "wall_discharge";
   chart.title = "Discharge over the friction of walls made of spheres";
-  chart.subtitle = "By the spacing of the wall spheres; published: no effect; one seed";
+  chart.subtitle = "By the spacing of the wall spheres; published: no effect";
   chart.x = {.label = "Friction of the walls [-]", .lower = 0};
   chart.y = {.label = "Discharged area [mm2]", .lower = 0};
   for (const auto& [spacing, runs] : by_spacing)
@@ -148,9 +148,7 @@ LabPlan plan_wall_friction(const LabSetting& setting) {
          .unit = "1",
          .runs = {run},
          .value = [run](const SeedResults& seed) { return effective_friction(seed, run); }});
-  plan.charts = [](const std::vector<SeedResults>& seeds) {
-    return std::vector{wall_friction_chart(seeds.front())};
-  };
+  plan.charts = [](const SeedResults& seed) { return std::vector{wall_friction_chart(seed)}; };
   return plan;
 }
 
@@ -169,8 +167,8 @@ LabPlan plan_wall_discharge(const LabSetting& setting) {
          .runs = {run},
          .value = [run](const SeedResults& seed) { return 1e6 * discharged_area(seed, run); }});
   }
-  plan.charts = [by_spacing](const std::vector<SeedResults>& seeds) {
-    return std::vector{wall_discharge_chart(by_spacing, seeds.front())};
+  plan.charts = [by_spacing](const SeedResults& seed) {
+    return std::vector{wall_discharge_chart(by_spacing, seed)};
   };
   return plan;
 }

@@ -133,10 +133,10 @@ LabPlan plan_ball_impact(const LabSetting& setting) {
     plan.runs.push_back(ball_impact_run(bed, setting.size));
     add_quantities(bed, setting, plan);
   }
-  plan.charts = [setting](const std::vector<SeedResults>& seeds) {
+  plan.charts = [setting](const SeedResults& seed) {
     std::vector<results::ExperimentChart> charts;
     for (const Bed& bed : kBeds)
-      if (seeds.front().has(run_name(bed))) charts.push_back(ball_impact_chart(bed, setting, seeds.front()));
+      if (seed.has(run_name(bed))) charts.push_back(ball_impact_chart(bed, setting, seed));
     return charts;
   };
   return plan;

@@ -70,7 +70,7 @@ LabPlan plan_drum(const LabSetting& setting) {
          .value = [=](const SeedResults& seed) {
            return value_at(in_quarter(seed, material), length * (1 - 1e-6));
          }});
-  plan.charts = [](const std::vector<SeedResults>& seeds) { return std::vector{drum_chart(seeds.front())}; };
+  plan.charts = [](const SeedResults& seed) { return std::vector{drum_chart(seed)}; };
   return plan;
 }
 

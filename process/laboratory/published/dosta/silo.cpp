@@ -116,9 +116,7 @@ LabPlan plan_silo(const LabSetting& setting) {
                              .value = [=](const SeedResults& seed) {
                                return rate(seed, large, window) / rate(seed, small, window);
                              }});
-  plan.charts = [setting](const std::vector<SeedResults>& seeds) {
-    return std::vector{silo_chart(setting, seeds.front())};
-  };
+  plan.charts = [setting](const SeedResults& seed) { return std::vector{silo_chart(setting, seed)}; };
   return plan;
 }
 

@@ -79,9 +79,7 @@ LabPlan plan_bed_variants(const LabSetting& setting) {
           std::tuple("kinetic energy over m g d", "1", &BedFigures::kinetic)})
       plan.quantities.push_back(own_figure(change.name, what, unit, kLow, kHigh, figure));
   }
-  plan.charts = [](const std::vector<SeedResults>& seeds) {
-    return std::vector{bed_variants_chart(seeds.front())};
-  };
+  plan.charts = [](const SeedResults& seed) { return std::vector{bed_variants_chart(seed)}; };
   return plan;
 }
 

@@ -124,9 +124,7 @@ LabPlan plan_bi_disperse_beds(const LabSetting& setting) {
     plan.quantities.push_back(own_figure(run.name, "density", "kg/m^3", kLow, kHigh, &BedFigures::density));
     plan.quantities.push_back(own_figure(run.name, "contacts", "1", kLow, kHigh, &BedFigures::contacts));
   }
-  plan.charts = [sizes](const std::vector<SeedResults>& seeds) {
-    return std::vector{bi_disperse_beds_chart(sizes, seeds.front())};
-  };
+  plan.charts = [sizes](const SeedResults& seed) { return std::vector{bi_disperse_beds_chart(sizes, seed)}; };
   return plan;
 }
 

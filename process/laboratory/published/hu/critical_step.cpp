@@ -147,9 +147,7 @@ LabPlan plan_critical_step(const LabSetting& setting) {
          .unit = "us",
          .runs = runs_of(size, l),
          .value = [size, l](const SeedResults& seed) { return critical_step(seed, size, l); }});
-  plan.charts = [size](const std::vector<SeedResults>& seeds) {
-    return std::vector{critical_step_chart(size, seeds.front())};
-  };
+  plan.charts = [size](const SeedResults& seed) { return std::vector{critical_step_chart(size, seed)}; };
   return plan;
 }
 

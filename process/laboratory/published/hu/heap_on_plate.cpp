@@ -99,8 +99,7 @@ results::ExperimentChart heap_on_plate_chart(const std::vector<Case>& cases, con
   results::ExperimentChart chart;
   chart.name = "heap_on_plate";
   chart.title = "Heaps on a plate of 56 mm";
-  chart.subtitle =
-      "Highest sphere in columns of d, one seed; angles of equal shadow with Carr's classes (Hu 2024)";
+  chart.subtitle = "Highest sphere in columns of d; angles of equal shadow with Carr's classes (Hu 2024)";
   chart.x = {.label = "x [mm]"};
   chart.y = {.label = "Height [mm]", .lower = 0};
   for (const Case& one : cases)
@@ -158,9 +157,7 @@ LabPlan plan_heap_on_plate(const LabSetting& setting) {
                                .unit = "deg",
                                .runs = {name_of(one)},
                                .value = [one](const SeedResults& seed) { return angle_of(seed, one); }});
-  plan.charts = [cases](const std::vector<SeedResults>& seeds) {
-    return std::vector{heap_on_plate_chart(cases, seeds.front())};
-  };
+  plan.charts = [cases](const SeedResults& seed) { return std::vector{heap_on_plate_chart(cases, seed)}; };
   return plan;
 }
 

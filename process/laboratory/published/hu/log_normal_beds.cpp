@@ -237,8 +237,8 @@ LabPlan plan_log_normal_scaling(const LabSetting& setting) {
                                    : contacts_apart("LN-002-M1z2", 2, 1));
   plan.quantities.push_back(coarse ? contacts_apart("LN-002-M1z4", 8, 2)
                                    : contacts_apart("LN-002-M1z4", 4, 1));
-  plan.charts = [points](const std::vector<SeedResults>& seeds) {
-    return std::vector{log_normal_scaling_chart(points, seeds.front())};
+  plan.charts = [points](const SeedResults& seed) {
+    return std::vector{log_normal_scaling_chart(points, seed)};
   };
   return plan;
 }
@@ -255,9 +255,8 @@ LabPlan plan_log_normal_beds(const LabSetting& setting) {
         own_figure(name_of(one), "density", "kg/m^3", kLow, kHigh, &BedFigures::density));
     plan.quantities.push_back(own_figure(name_of(one), "contacts", "1", kLow, kHigh, &BedFigures::contacts));
   }
-  plan.charts = [size](const std::vector<SeedResults>& seeds) {
-    return std::vector{log_normal_beds_chart(size, seeds.front(), false),
-                       log_normal_beds_chart(size, seeds.front(), true)};
+  plan.charts = [size](const SeedResults& seed) {
+    return std::vector{log_normal_beds_chart(size, seed, false), log_normal_beds_chart(size, seed, true)};
   };
   return plan;
 }

@@ -189,9 +189,9 @@ LabPlan plan_mono_disperse_beds(const LabSetting& setting) {
     plan.quantities.push_back(
         own_figure(name_of(one), "kinetic energy over m g d", "1", kLow, kHigh, &BedFigures::kinetic));
   }
-  plan.charts = [cases](const std::vector<SeedResults>& seeds) {
-    return std::vector{mono_disperse_beds_chart(cases, seeds.front(), false),
-                       mono_disperse_beds_chart(cases, seeds.front(), true)};
+  plan.charts = [cases](const SeedResults& seed) {
+    return std::vector{mono_disperse_beds_chart(cases, seed, false),
+                       mono_disperse_beds_chart(cases, seed, true)};
   };
   return plan;
 }

@@ -138,8 +138,8 @@ LabPlan plan_uniaxial_compression(const LabSetting& setting) {
                                                       stress_at(curve(seed, run_name(1, l)), 0.1);
                                  return ratio / (method == 2 ? std::pow(l, 1.5) : l);
                                }});
-  plan.charts = [sizes](const std::vector<SeedResults>& seeds) {
-    return std::vector{uniaxial_compression_chart(sizes, seeds.front())};
+  plan.charts = [sizes](const SeedResults& seed) {
+    return std::vector{uniaxial_compression_chart(sizes, seed)};
   };
   return plan;
 }

@@ -218,7 +218,7 @@ LabPlan plan_vertical_mixer(const LabSetting& setting) {
          .runs = {run},
          .value = [=](const SeedResults& seed) { return density_of(seed, one, plan).peak(); }});
   }
-  lab.charts = [plan](const std::vector<SeedResults>& seeds) { return charts_of(plan, seeds.front()); };
+  lab.charts = [plan](const SeedResults& seed) { return charts_of(plan, seed); };
   return lab;
 }
 

@@ -131,8 +131,8 @@ LabPlan plan_confined_compression(const LabSetting& setting) {
       all, "SCR-order", [](const BedMetrics& of) { return of.stiffness.unloading / of.stiffness.loading; }));
   plan.quantities.push_back(looser_than_simulated(all.front()));
   plan.quantities.push_back(smaller(all, "SCR-tens2", [](const BedMetrics& of) { return of.fracture; }));
-  plan.charts = [all](const std::vector<SeedResults>& seeds) {
-    return std::vector{load_chart(all, seeds.front()), pull_chart(all, seeds.front())};
+  plan.charts = [all](const SeedResults& seed) {
+    return std::vector{load_chart(all, seed), pull_chart(all, seed)};
   };
   return plan;
 }

@@ -92,9 +92,8 @@ void add_ranges(LabPlan& plan, const DesignStudy& study, const std::string& powd
 LabCharts study_charts(const DesignStudy& study, const std::filesystem::path& figures,
                        const std::string& powder) {
   const auto published = powder.empty() ? std::vector<PublishedFigure>{} : read_published_figures(figures);
-  return [=](const std::vector<SeedResults>& seeds) {
+  return [=](const SeedResults& seed) {
     std::vector<results::ExperimentChart> charts;
-    const SeedResults& seed = seeds.front();
     if (!std::all_of(study.runs.begin(), study.runs.end(), [&](const auto& run) { return seed.has(run); }))
       return charts;
     for (const NamedMetric& metric : study.metrics) {

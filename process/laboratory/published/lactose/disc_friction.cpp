@@ -149,9 +149,7 @@ LabPlan plan_disc_friction(const LabSetting& setting) {
          .runs = {low.run(), high.run()},
          .value = [=](const SeedResults& seed) { return fitted_friction(seed, low, high); }});
   }
-  plan.charts = [all](const std::vector<SeedResults>& seeds) {
-    return std::vector{disc_friction_chart(all, seeds.front())};
-  };
+  plan.charts = [all](const SeedResults& seed) { return std::vector{disc_friction_chart(all, seed)}; };
   return plan;
 }
 

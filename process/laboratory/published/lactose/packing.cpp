@@ -104,9 +104,7 @@ LabPlan plan_packing(const LabSetting& setting) {
                              .value = [=](const SeedResults& seed) {
                                return drop(seed, clusters, sizes) - drop(seed, plain_way, sizes);
                              }});
-  plan.charts = [setting](const std::vector<SeedResults>& seeds) {
-    return std::vector{packing_chart(setting, seeds.front())};
-  };
+  plan.charts = [setting](const SeedResults& seed) { return std::vector{packing_chart(setting, seed)}; };
   return plan;
 }
 

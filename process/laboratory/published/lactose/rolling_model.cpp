@@ -76,9 +76,7 @@ LabPlan plan_rolling_model(const LabSetting& setting) {
        .unit = "",
        .runs = {kSmooth.name, kLarge.name},
        .value = [](const SeedResults& seed) { return kinetic(seed, kLarge) / kinetic(seed, kSmooth); }});
-  plan.charts = [](const std::vector<SeedResults>& seeds) {
-    return std::vector{rolling_model_chart(seeds.front())};
-  };
+  plan.charts = [](const SeedResults& seed) { return std::vector{rolling_model_chart(seed)}; };
   return plan;
 }
 

@@ -241,12 +241,12 @@ LabPlan plan_shear_tester(const LabSetting& setting) {
     add_own(plan, one);
   }
   plan.quantities.push_back(above_the_locus(all));
-  plan.charts = [all](const std::vector<SeedResults>& seeds) {
+  plan.charts = [all](const SeedResults& seed) {
     std::vector<results::ExperimentChart> charts;
     for (const ShearedPowder& one : all) {
-      if (!has_all(seeds.front(), one)) continue;
-      charts.push_back(locus_chart(one, seeds.front()));
-      charts.push_back(shear_chart(one, seeds.front()));
+      if (!has_all(seed, one)) continue;
+      charts.push_back(locus_chart(one, seed));
+      charts.push_back(shear_chart(one, seed));
     }
     return charts;
   };

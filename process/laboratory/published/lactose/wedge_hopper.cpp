@@ -146,9 +146,7 @@ LabPlan plan_wedge_hopper(const LabSetting& setting) {
                                return std::max(discharged_at_the_end(seed, narrow),
                                                discharged_at_the_end(seed, wide));
                              }});
-  plan.charts = [all](const std::vector<SeedResults>& seeds) {
-    return std::vector{wedge_hopper_chart(all, seeds.front())};
-  };
+  plan.charts = [all](const SeedResults& seed) { return std::vector{wedge_hopper_chart(all, seed)}; };
   return plan;
 }
 

@@ -317,7 +317,7 @@ LabPlan plan_wire_sawing(const LabSetting& setting) {
   add_viscosities(runs, plan);
   add_drag(plan);
   add_sawing(plan);
-  plan.charts = [runs](const std::vector<SeedResults>& seeds) { return charts_of(runs, seeds.front()); };
+  plan.charts = [runs](const SeedResults& seed) { return charts_of(runs, seed); };
   return plan;
 }
 

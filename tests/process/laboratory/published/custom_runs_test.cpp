@@ -168,7 +168,7 @@ LabPlan plan_lacking(const LabSetting&) {
       {.id = "whole", .quantity = "whole", .unit = "1", .runs = {}, .value = [](const SeedResults&) {
          return 2.0;
        }}};
-  plan.charts = [](const std::vector<SeedResults>&) {
+  plan.charts = [](const SeedResults&) {
     results::ExperimentChart chart;
     chart.name = "lacking";
     chart.series = {{.name = "one", .role = results::ExperimentSeries::Role::points, .x = {1}, .y = {2}}};

@@ -82,7 +82,7 @@ TEST(SceneExperiments, EveryRunIsAValidSceneAtEverySize) {
 TEST(SceneExperiments, WithRunsHaveChartsFromWhateverIsFinished) {
   LabSetting setting;
   setting.scenes = scenes();
-  const std::vector<SeedResults> nothing = {SeedResults(1, {})};
+  const SeedResults nothing(1, {});
   for (const auto& experiment : scene_experiments()) {
     const LabPlan plan = experiment.plan(setting);
     if (plan.runs.empty() && plan.custom_runs.empty()) continue;

@@ -41,6 +41,11 @@ TEST(RingMotion, DepthIsThatOfTheLowestMovedLayer) {
   for (std::size_t k = 15 * 60; k < after.position.size(); ++k) after.position[k].x() += 2e-3;
   after.position[0].x() += 2e-3;
   EXPECT_NEAR(depth_of_motion(before, after, kRing), 5e-3, 1e-9);
+  const auto shares = moved_shares(before, after, kRing);
+  ASSERT_EQ(shares.size(), 20U);
+  EXPECT_EQ(shares[4], 1);
+  EXPECT_EQ(shares[5], 0);
+  EXPECT_NEAR(shares[19], 1.0 / 60, 1e-12);
   EXPECT_NEAR(mean_motion(before, after), 2.0 * (5 * 60 + 1) / (20 * 60), 1e-9);
   EXPECT_EQ(depth_of_motion(before, before, kRing), 0);
 }
