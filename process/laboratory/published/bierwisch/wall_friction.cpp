@@ -114,7 +114,7 @@ results::ExperimentChart wall_discharge_chart(const std::map<double, std::vector
   chart.x = {.label = "Friction of the walls [-]", .lower = 0};
   chart.y = {.label = "Discharged area [mm2]", .lower = 0};
   for (const auto& [spacing, runs] : by_spacing)
-    add_run_series(chart, seed, "spacing " + plain(spacing), runs,
+    add_run_series(chart, seed, "spacing " + plain(spacing) + " R_w", runs,
                    [&](const std::string& run) { return 1e6 * discharged_area(seed, run); });
   return chart;
 }
