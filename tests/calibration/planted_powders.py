@@ -122,13 +122,15 @@ def figure(folder, name):
     return json.load(open(os.path.join(folder, "report.json")))[name]
 
 
-def slopes(folders):
-    """Of the heaps that have one: a plant forms another heap where a slope cannot be measured."""
-    reports = [json.load(open(os.path.join(folder, "report.json"))) for folder in folders]
-    found = [report[HEAP] for report in reports if HEAP in report]
-    if len(found) < 2:
-        raise RuntimeError("fewer than two heaps have a slope: " + ", ".join(folders))
-    return found
+def slopes(options, folder, powder):
+    """Of heaps with the planted powder: a plant forms another where a slope cannot be measured."""
+    for heaps in range(options.repeats, 4 * options.repeats + 1, options.repeats):
+        folders = simulated(options, folder, "heap", REPOSE, powder, heaps)
+        reports = [json.load(open(os.path.join(each, "report.json"))) for each in folders]
+        found = [report[HEAP] for report in reports if HEAP in report]
+        if len(found) > 1:
+            return found
+    raise RuntimeError("fewer than two heaps of %d have a slope: %s" % (heaps, folder))
 
 
 def noisy(values, noise, generator):
@@ -180,8 +182,7 @@ def trial(options, parameters, number):
         masses.append(noisy(values, options.noise * statistics.fmean(values), generator))
         if k == 0 and len(parameters) > 2:
             fraction = noisy([figure(each, "bulk_solid_fraction") for each in runs], 0.003, generator)
-    heaps = simulated(options, folder, "heap", REPOSE, powder, options.repeats)
-    slope = noisy(slopes(heaps), options.angle_noise, generator)
+    slope = noisy(slopes(options, folder, powder), options.angle_noise, generator)
     dies = simulated(options, folder, "die", DIE, powder, options.die_repeats)
     filled = [1e3 * figure(each, "filled_mass_kg") for each in dies]
     die = noisy(filled, max(options.noise * statistics.fmean(filled), BALANCE), generator)
