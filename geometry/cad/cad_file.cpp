@@ -5,11 +5,9 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <limits>
-#include <map>
-#include <sstream>
 #include <vector>
 
+#include "geometry/cad/counted_elements.h"
 #include "geometry/cad/read_binary_stl.h"
 #include "geometry/cad/read_text_stl.h"
 #include "geometry/cad/shown_text.h"
@@ -19,10 +17,9 @@ namespace diefill::geometry {
 
 namespace {
 
-constexpr std::size_t kStlHeader = 84;         // 80 bytes of text and the number of triangles
-constexpr std::size_t kStlTriangle = 50;       // 12 floats and 2 bytes of attributes
-constexpr std::int64_t kMostCornersOfOff = 9;  // of a face; assimp 5.2 leaves out those with more
-constexpr std::size_t kLookForText = 1024;     // a text file shows its kind within so many bytes
+constexpr std::size_t kStlHeader = 84;      // 80 bytes of text and the number of triangles
+constexpr std::size_t kStlTriangle = 50;    // 12 floats and 2 bytes of attributes
+constexpr std::size_t kLookForText = 1024;  // a text file shows its kind within so many bytes
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;  // bytes: binary STL of 21 million triangles
 
 std::string lower_case(std::string text) {
@@ -75,109 +72,6 @@ void check_first_bytes(const std::string& name, const std::string& ending, const
 void check_encoding(const std::string& name, const std::string& bytes) {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
     throw MeshError(name + " is text in UTF-16: save it as plain text (UTF-8), or export it again");
-}
-
-void refuse_count(const std::string& name, std::uint64_t count, const std::string& what, std::size_t bytes) {
-  throw MeshError(name + " is truncated: its header declares " + std::to_string(count) + " " + what +
-                  ", more than its " + std::to_string(bytes) + " bytes can hold; export or copy it again");
-}
-
-/// Bytes of one value in a PLY file; types that PLY does not have are left to the importer.
-std::size_t bytes_of(const std::string& type) {
-  static const std::map<std::string, std::size_t> sizes = {
-      {"short", 2}, {"ushort", 2}, {"int16", 2},   {"uint16", 2}, {"int", 4},     {"uint", 4},
-      {"int32", 4}, {"uint32", 4}, {"float32", 4}, {"float", 4},  {"float64", 8}, {"double", 8}};
-  const auto known = sizes.find(type);
-  return known == sizes.end() ? 1 : known->second;
-}
-
-/// An element of a PLY header: how many there are, and the least number of bytes of each.
-struct PlyElement {
-  std::string name;
-  std::uint64_t count = 0;
-  std::size_t least_bytes = 0;
-};
-
-/// Throws where the header has no end: importers would search for it forever.
-std::vector<PlyElement> ply_elements(const std::string& name, const std::string& bytes) {
-  std::vector<PlyElement> elements;
-  std::istringstream lines(bytes);
-  bool is_text = true;
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string word, type;
-    words >> word >> type;
-    if (word == "end_header" && line.find_first_not_of(" \t\r", word.size()) == std::string::npos)
-      return elements;
-    if (word == "format") is_text = type == "ascii";
-    if (word == "element") {
-      elements.push_back({type, 0, 0});
-      if (!(words >> elements.back().count))
-        elements.back().count = std::numeric_limits<std::uint64_t>::max();
-    }
-    if (word != "property" || elements.empty()) continue;
-    if (type == "list") words >> type;                            // a list may hold nothing but its length
-    elements.back().least_bytes += is_text ? 2 : bytes_of(type);  // a digit and a blank
-  }
-  throw MeshError(name + " is truncated: its header has no line 'end_header'; export or copy it again");
-}
-
-void check_ply(const std::string& name, const std::string& bytes) {
-  if (!bytes.starts_with("ply")) return;  // the importer says so
-  for (const PlyElement& element : ply_elements(name, bytes))
-    if (element.count > bytes.size() / std::max<std::size_t>(1, element.least_bytes))
-      refuse_count(name, element.count, element.name + " elements", bytes.size());
-}
-
-/// The next line with something else than a comment; false at the end.
-bool next_line_of_off(std::istream& lines, std::istringstream& words) {
-  for (std::string line; std::getline(lines, line);) {
-    line.resize(std::min(line.find('#'), line.size()));
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    words = std::istringstream(line);
-    return true;
-  }
-  return false;
-}
-
-/// Throws where a face has a corner that the file does not define, or more corners than the importer takes:
-/// it would take another one, or leave the face out. Of a file with a corner or a face a line, as programs
-/// write it; others are left to the importer.
-void check_off_faces(const std::string& name, const std::string& bytes) {
-  std::istringstream lines(bytes), words;
-  std::string head;
-  std::uint64_t vertices = 0, faces = 0;
-  if (!next_line_of_off(lines, words) || !(words >> head) || !head.ends_with("OFF")) return;
-  if (!(words >> vertices >> faces) && (!next_line_of_off(lines, words) || !(words >> vertices >> faces)))
-    return;
-  if (vertices > bytes.size() / 2 || faces > bytes.size() / 2) return;
-  double coordinate = 0;
-  for (std::uint64_t k = 0; k < vertices; ++k)
-    if (!next_line_of_off(lines, words) || !(words >> coordinate >> coordinate >> coordinate)) return;
-  for (std::uint64_t face = 0; face < faces; ++face) {
-    std::int64_t corners = 0, corner = 0;
-    if (!next_line_of_off(lines, words) || !(words >> corners)) return;
-    if (corners > kMostCornersOfOff)
-      throw MeshError(name + ": face " + std::to_string(face + 1) + " has " + std::to_string(corners) +
-                      " corners, allowed in OFF: up to " + std::to_string(kMostCornersOfOff) +
-                      "; export it with triangles, or as STL, OBJ or PLY");
-    for (; corners > 0 && words >> corner; --corners)
-      if (corner < 0 || static_cast<std::uint64_t>(corner) >= vertices)
-        throw MeshError(name + " is damaged: face " + std::to_string(face + 1) + " has the corner " +
-                        std::to_string(corner) + ", but its " + std::to_string(vertices) +
-                        " corners are counted from 0; export it again");
-  }
-}
-
-void check_off(const std::string& name, const std::string& bytes) {
-  std::istringstream words(bytes.substr(0, kLookForText));
-  std::string head;
-  std::uint64_t vertices = 0;
-  std::uint64_t faces = 0;
-  if (!(words >> head >> vertices >> faces)) return;
-  if (vertices > bytes.size() / 2) refuse_count(name, vertices, "corners", bytes.size());
-  if (faces > bytes.size() / 2) refuse_count(name, faces, "faces", bytes.size());
-  check_off_faces(name, bytes);
 }
 
 /// The bytes a binary STL file declares, or the closing word of a text, must be there.
@@ -289,8 +183,8 @@ void check_content_matches_format(const std::filesystem::path& file, const std::
   check_encoding(name, bytes);
   check_first_bytes(name, ending, bytes);
   if (ending == "stl") check_stl(name, bytes);
-  if (ending == "ply") check_ply(name, bytes);
-  if (ending == "off") check_off(name, bytes);
+  if (ending == "ply") check_ply_elements(name, bytes);
+  if (ending == "off") check_off_elements(name, bytes);
   if (ending == "step" || ending == "stp") check_step(name, bytes);
 }
 

@@ -32,6 +32,12 @@ std::string replaced(std::string text, const std::string& old, const std::string
   return text;
 }
 
+std::string cut_after_lines(const std::string& text, int lines) {
+  std::size_t end = 0;
+  for (int k = 0; k < lines; ++k) end = text.find('\n', end) + 1;
+  return text.substr(0, end);
+}
+
 std::string sample_step() {
   return support::contents(DIEFILL_SOURCE_DIR "/sample_tools/shoe/shoe.step");
 }
@@ -69,6 +75,17 @@ std::vector<BrokenFile> broken_bytes() {
        "header declares 4000000000 vertex elements"},
       {"ply_without_end", "a.ply", replaced(ply(fine_tube()), "end_header", "end_heade"),
        "no line 'end_header'"},
+      {"ply_cut_short", "a.ply", cut_after_lines(ply(fine_tube()), 9 + 360 + 100),
+       "is truncated: it ends before face 101 of 720"},
+      {"ply_without_faces", "a.ply", cut_after_lines(ply(fine_tube()), 9 + 50),
+       "is truncated: it ends before vertex 51 of 360"},
+      {"binary_ply_cut_short", "a.ply",
+       binary_ply(fine_tube()).substr(0, binary_ply(fine_tube()).size() - 40),
+       "is truncated: it ends before face 717 of 720"},
+      {"off_cut_short", "a.off", cut_after_lines(off(fine_tube()), 2 + 360 + 7),
+       "is truncated: it ends before face 8 of 720"},
+      {"off_without_faces", "a.off", cut_after_lines(off(fine_tube()), 2 + 30),
+       "is truncated: it ends before corner 31 of 360"},
       {"huge_off", "a.off", replaced(off(fine_tube()), "360 720", "360 4000000000"),
        "header declares 4000000000 faces"},
       {"points_only", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "a.obj"},
