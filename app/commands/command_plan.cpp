@@ -38,6 +38,9 @@ void print_within_time(const process::plan::Plan& plan, double minutes,
                        const std::optional<process::plan::Choice>& choice) {
   if (!plan.pilot) {
     std::printf("within %.4g minutes: unknown without the pilot run\n", minutes);
+  } else if (plan.choices.size() == 1) {
+    std::printf("within %.4g minutes: no settings to choose from; as it is the scene takes %s\n", minutes,
+                process::duration_text(plan.choices[0].forecast.wall_seconds.value_or(0)).c_str());
   } else if (!choice) {
     std::printf("within %.4g minutes: nothing fits; the quick setting takes %s\n", minutes,
                 process::duration_text(plan.choices[1].forecast.wall_seconds.value_or(0)).c_str());

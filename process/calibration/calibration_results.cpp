@@ -7,6 +7,7 @@
 
 #include "process/calibration/methods/insight.h"
 #include "process/calibration/methods/next_points.h"
+#include "process/input/toml_string.h"
 #include "process/input/units.h"
 #include "process/results/formatted.h"
 #include "process/results/none.h"
@@ -98,16 +99,6 @@ std::string with_point(double value) {
   return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
 }
 
-/// As a text of TOML; names hold no control characters.
-std::string in_quotes(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') quoted += '\\';
-    quoted += letter;
-  }
-  return quoted + '"';
-}
-
 std::string grains_text(const Scene& scene) {
   const std::string grains =
       scene.powder.clump ? "clumps" : std::string("grain model ") + name_of(scene.powder.model);
@@ -180,7 +171,7 @@ std::string powder_calibration_table(const results::Calibration& account) {
             "\"\nbest = " + number(parameter.best) + "\nlower_90 = " + number(parameter.lower) +
             "\nupper_90 = " + number(parameter.upper) + "\n";
   for (const auto& measurement : account.measurements)
-    text += "\n[[calibration.measurement]]\nname = " + in_quotes(measurement.name) + "\nuse = \"" +
+    text += "\n[[calibration.measurement]]\nname = " + toml_string(measurement.name) + "\nuse = \"" +
             (measurement.fitted ? "fit" : "check") +
             "\"\nvalues = " + std::to_string(measurement.data.size()) + "\n";
   return text;

@@ -76,6 +76,8 @@ Plan make_plan(const Scene& scene, const PlanOptions& options) {
   plan.tooling_seconds = seconds_since(began);
   plan.needs = needs_of(plan.scene, plan.tooling);
   plan.statements = description(plan.needs, plan.scene, plan.tooling);
+  if (const std::string why = why_no_settings(plan.scene); !why.empty())
+    plan.statements.push_back("settings quick, working and reference do not apply: " + why);
   if (options.tools_ready) options.tools_ready(plan.scene, plan.tooling);
   if (options.narrowest_opening) plan.opening = options.narrowest_opening(plan.scene, plan.tooling);
   if (options.pilot) plan.pilot = pilot_for(plan.scene, plan.tooling, options);
@@ -86,6 +88,7 @@ Plan make_plan(const Scene& scene, const PlanOptions& options) {
 void add_choices(Plan& plan) {
   plan.choices.push_back(
       choice_of("as the scene has it", plan.scene, plan.tooling, plan.pilot, plan.opening));
+  if (!why_no_settings(plan.scene).empty()) return;
   for (const Setting setting : {Setting::quick, Setting::working, Setting::reference})
     plan.choices.push_back(choice_with(description(setting),
                                        numbers_of(setting, plan.scene, plan.tooling.all_cavities()),
@@ -93,7 +96,7 @@ void add_choices(Plan& plan) {
 }
 
 std::optional<Choice> finest_within(const Plan& plan, double minutes) {
-  if (!plan.pilot) return std::nullopt;
+  if (!plan.pilot || !why_no_settings(plan.scene).empty()) return std::nullopt;
   SettingNumbers numbers = numbers_of(Setting::working, plan.scene, plan.tooling.all_cavities());
   const auto with = [&](double diameter) {
     numbers.grain_diameter = diameter;

@@ -31,7 +31,7 @@ struct Plan {
   std::optional<Pilot> pilot;
   double opening = 0;  ///< m, narrowest width of holes through the tools; 0: none, or not searched for
   double tooling_seconds = 0;   ///< s of wall-clock time to read and cover the tools
-  std::vector<Choice> choices;  ///< the scene's own, then quick, working, reference
+  std::vector<Choice> choices;  ///< the scene's own, then quick, working, reference where these apply
 };
 
 /// What to plan with.
@@ -57,7 +57,8 @@ Plan make_plan(const Scene& scene, const PlanOptions& options);
 void add_choices(Plan& plan);
 
 /// The finest grains, down to the calibrated size, with which the working setting takes at most `minutes`
-/// (wall clock). Nothing if even the coarsest grains of the quick setting take longer, or there is no pilot.
+/// (wall clock). Nothing if even the coarsest grains of the quick setting take longer, no setting applies, or
+/// there is no pilot.
 std::optional<Choice> finest_within(const Plan& plan, double minutes);
 
 /// Index of the choice that is cheapest among those whose errors are known and at most `error` (a share);

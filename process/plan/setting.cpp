@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "process/input/shown_value.h"
 #include "process/powder/material.h"
@@ -78,12 +79,15 @@ Bound coarsest(Setting setting, const Scene& scene, const geometry::Cavity& cavi
                            [](const Bound& a, const Bound& b) { return a.diameter < b.diameter; });
 }
 
-/// The largest spacing of wall spheres that leaves holes smaller than half a basic sphere: of 2.4, as in the
-/// quick start, and 1.6 (engine/STABILITY.md, walls).
-double coarsest_spacing(const Scene& scene, double sphere_radius) {
-  constexpr double kWide = 2.4, kUsual = 1.6;
-  const double hole = (kWide * std::sqrt(2.0) - 2) * scene.walls.sphere_radius;
-  return hole < sphere_radius ? kWide : kUsual;
+/// Spacing of wall spheres over their radius: with the quick setting 2.4, as in the quick start, where holes
+/// stay smaller than half a basic sphere; else 1.6 (engine/STABILITY.md, walls), or 1.4, which no sphere
+/// passes, where the powder's smallest spheres would pass between wall spheres that are large beside them.
+double spacing_for(Setting setting, const Scene& scene, double sphere_radius) {
+  constexpr double kWide = 2.4, kUsual = 1.6, kTight = 1.4;
+  const double wall = scene.walls.sphere_radius;
+  if (setting == Setting::quick && (kWide * std::numbers::sqrt2 - 2) * wall < sphere_radius) return kWide;
+  const double smallest = sphere_radius * smallest_grain(scene) / scene.powder.grain_diameter;
+  return (kUsual / std::numbers::sqrt2 - 1) * wall < smallest ? kUsual : kTight;
 }
 
 /// m: depth of powder in the shoe, with what the cavity takes spread over the pour box.
@@ -184,6 +188,12 @@ void set_sizes_of_others(toml::table& document, const Scene& scene, double facto
 
 }  // namespace
 
+std::string why_no_settings(const Scene& scene) {
+  const std::string sizes = " gives the grains their sizes, which settings would change";
+  if (scene.pour.grains_file) return "pour.grains_file" + sizes;
+  return scene.pour.state ? "pour.state" + sizes : "";
+}
+
 double calibrated_diameter(const PowderSpec& powder) {
   return powder.grain_diameter / coarse_graining_factor(powder);
 }
@@ -195,7 +205,7 @@ SettingNumbers numbers_of(Setting setting, const Scene& scene, const geometry::C
   numbers.reasons.push_back(results::formatted("grains of %.4g mm: ", 1e3 * bound.diameter) + bound.reason);
   const double factor = bound.diameter / calibrated_diameter(scene.powder);
   const double sphere_radius = factor * scene.powder.sphere_radius;
-  if (setting == Setting::quick) numbers.wall_spacing = coarsest_spacing(scene, sphere_radius);
+  numbers.wall_spacing = spacing_for(setting, scene, sphere_radius);
   numbers.reasons.push_back(results::formatted("wall spheres spaced %.2g radii apart", numbers.wall_spacing));
   if (setting == Setting::reference) choose_time_step(numbers, scene, factor);
   choose_fill_height(numbers, setting, scene, cavity);

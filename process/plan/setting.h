@@ -29,6 +29,9 @@ struct SettingNumbers {
   std::vector<std::string> reasons;  ///< a line each
 };
 
+/// Why no setting can be chosen for the scene; empty where all can.
+std::string why_no_settings(const Scene& scene);
+
 /// m, grain size of the powder before coarse graining.
 double calibrated_diameter(const PowderSpec& powder);
 

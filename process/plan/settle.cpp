@@ -9,6 +9,9 @@ namespace diefill::process::plan {
 SettledScene settle(const Scene& scene, const std::optional<Setting>& wanted) {
   const auto setting = wanted ? wanted : setting_of(scene);
   if (!setting) return {scene, std::nullopt};
+  if (const std::string why = why_no_settings(scene); !why.empty())
+    throw SceneError(scene.file.string() + ": setting: found \"" + description(*setting) + "\", but " + why +
+                     "; remove it");
   Tooling tooling = read_tooling(scene);
   Scene settled = with_numbers(scene, numbers_of(*setting, scene, tooling.all_cavities()),
                                "setting " + description(*setting));

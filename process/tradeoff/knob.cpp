@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "process/input/toml_string.h"
+
 namespace diefill::process {
 namespace {
 
@@ -53,13 +55,7 @@ std::string in_millimetres(double metres) {
 std::string toml_value(const std::string& value) {
   const bool bare = value == "true" || value == "false" || plain_number(value).has_value() ||
                     value.starts_with('[') || value.starts_with('{') || value.starts_with('"');
-  if (bare) return value;
-  std::string quoted = "\"";
-  for (const char letter : value) {
-    if (letter == '"' || letter == '\\') quoted += '\\';
-    quoted += letter;
-  }
-  return quoted + '"';
+  return bare ? value : toml_string(value);
 }
 
 std::function<SceneChanges(const Scene&, const std::string&)> sets_key(const std::string& key) {

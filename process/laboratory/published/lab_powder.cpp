@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "process/input/toml_string.h"
 #include "process/results/formatted.h"
 #include "process/scene/powder/grain_models.h"
 #include "process/scene/powder/powder_file.h"
@@ -21,7 +22,7 @@ constexpr const char* kTables[] = {"powder", "contact", "walls"};
 std::string lines_of(const toml::table& table, const std::string& path) {
   std::string lines;
   for (const auto& [key, node] : table) {
-    const std::string name = path + '.' + in_quotes(std::string(key.str()));
+    const std::string name = path + '.' + toml_string(std::string(key.str()));
     if (const toml::table* inner = node.as_table()) {
       lines += lines_of(*inner, name);
       continue;
@@ -40,7 +41,7 @@ SceneChanges powder_changes(const std::filesystem::path& file) {
   SceneChanges changes;
   if (!document.contains("tool")) {
     changes.without = {"powder"};
-    changes.set = line("powder.file", in_quotes(std::filesystem::absolute(file).string()));
+    changes.set = line("powder.file", toml_string(std::filesystem::absolute(file).string()));
     return changes;
   }
   merge_powder_file(document, file);
@@ -120,12 +121,6 @@ std::string millimetres(double metres) {
 
 std::string point_in_millimetres(double x, double y, double z) {
   return '[' + millimetres(x) + ", " + millimetres(y) + ", " + millimetres(z) + ']';
-}
-
-std::string in_quotes(const std::string& text) {
-  std::ostringstream written;
-  written << toml::value<std::string>(text);
-  return written.str();
 }
 
 std::string line(const std::string& key, const std::string& value) {

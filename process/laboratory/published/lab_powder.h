@@ -38,8 +38,6 @@ std::string millimetres(double metres);
 std::string point_in_millimetres(double x, double y, double z);
 /// "0.2 N" in quotes.
 std::string with_unit(double value, const char* unit);
-/// The text in quotes, with whatever stands in it escaped: as a value, or as a part of a key.
-std::string in_quotes(const std::string& text);
 /// key = value and a line end.
 std::string line(const std::string& key, const std::string& value);
 /// A number as TOML.

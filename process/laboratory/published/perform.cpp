@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "process/input/toml_string.h"
 #include "process/laboratory/published/charts_over_seeds.h"
 #include "process/laboratory/published/custom_runs.h"
 #include "process/laboratory/published/lab_powder.h"
@@ -29,7 +30,7 @@ std::vector<Variant> variants_of(const SceneExperiment& experiment, const LabPla
     const fs::path file = setting.scenes / plan.runs[k].scene;
     SceneChanges changes = plan.runs[k].changes;
     changes.source = "experiment \"" + names[k] + '"';
-    changes.under = line("title", in_quotes(experiment.name + ": " + names[k])) + changes.under;
+    changes.under = line("title", toml_string(experiment.name + ": " + names[k])) + changes.under;
     variants.push_back({names[k], folders[k], changed_scene(load_scene_text(file), file, changes)});
   }
   return variants;

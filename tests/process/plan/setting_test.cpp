@@ -52,6 +52,30 @@ damping = { law = "linear restitution", restitution = 0.65 }
   EXPECT_NO_THROW(with_numbers(planned.scene, reference, "setting reference"));
 }
 
+// Wall spheres of 0.6 mm at 1.6 radii let spheres of 0.0788 mm pass; those of the calibrated size have 0.0784
+// mm.
+TEST(PlanSetting, WallSpheresStandCloserWhereTheFinestGrainsWouldPassBetweenThem) {
+  PlannedScene planned;
+  planned.scene.walls.sphere_radius = 0.6e-3;
+  const auto& cavity = planned.tooling.cavity;
+  EXPECT_EQ(numbers_of(Setting::reference, planned.scene, cavity).wall_spacing, 1.4);
+  EXPECT_EQ(numbers_of(Setting::working, planned.scene, cavity).wall_spacing, 1.6);
+}
+
+TEST(PlanSetting, ThereIsNoneForGrainsOfAFile) {
+  const PlannedScene planned;
+  EXPECT_EQ(why_no_settings(planned.scene), "");
+  Plan plan = sample_plan(planned);
+  plan.scene.pour.grains_file = "grains.csv";
+  EXPECT_EQ(why_no_settings(plan.scene),
+            "pour.grains_file gives the grains their sizes, which settings would change");
+  plan.choices.clear();
+  add_choices(plan);
+  EXPECT_EQ(plan.choices.size(), 1U);
+  EXPECT_FALSE(finest_within(plan, 1e6));
+  EXPECT_THROW(settled_scene(plan.scene, Setting::quick), SceneError);
+}
+
 TEST(PlanSetting, PowderBeyondNeedIsLeftOut) {
   support::SceneTables tables = PlannedScene::waiting();
   tables.pour = support::exchanged(tables.pour, "24 mm", "41 mm");
