@@ -49,7 +49,8 @@ struct PowderState {
   ParticleTypes kinds;                            ///< empty for powder of one size
   std::vector<std::uint8_t> kind;  ///< of every grain, its number in `kinds`; empty for powder of one size
 
-  bool monodisperse() const { return kind.empty(); }
+  /// Not so where grains of several kinds have all gone: instants may still have them.
+  bool monodisperse() const { return kinds.size() == 0; }
   double diameter_of(std::size_t k) const {
     return monodisperse() ? grain_diameter : kinds.diameter[kind[k]];
   }

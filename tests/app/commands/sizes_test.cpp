@@ -31,6 +31,22 @@ std::vector<std::string> with_threads(const SmallDie& die, const std::string& th
   return arguments;
 }
 
+// Series over time of a powder that a last step removes.
+TEST(Sizes, ResultsCanBeReadWhereAllGrainsAreGoneInTheEnd) {
+  const SmallDie die;
+  give_sizes(die);
+  const std::string velocity = "velocity = \"0.1 m/s\"\n";
+  die.exchange(velocity, velocity + "\n[[step]]\nkind = \"clear\"\n");
+  die.exchange("[measure]", "[measure]\nsnapshot_interval = \"10 ms\"");
+  const Outcome outcome = die.run({"--quiet", "--no-pictures"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto result = results::read_results(die.out());
+  EXPECT_TRUE(result.powder.position.empty());
+  ASSERT_FALSE(result.instants.empty());
+  EXPECT_EQ(result.instants.front().kind.size(), result.instants.front().position.size());
+  EXPECT_EQ(result.powder.kinds.diameter.size(), 3U);
+}
+
 TEST(Sizes, RunMeasureAndDraw) {
   const SmallDie die;
   give_sizes(die);

@@ -116,6 +116,24 @@ TEST(ResultFile, GivesBackKindsOfGrains) {
   EXPECT_THROW(write_results(scratch.path(), result), ResultError);
 }
 
+TEST(ResultFile, KindsOfInstantsStayWhereAllGrainsHaveGoneInTheEnd) {
+  const support::TemporaryFolder scratch;
+  FillResult result;
+  result.powder.kinds = {{1e-3, 2e-3}, {5e-4, 1e-3}, {1e-6, 8e-6}, {5e-10, 4e-9}, {"a", "b"}, {}, {}, {}};
+  Instant instant;
+  instant.id = {7};
+  instant.position = {{0, 0, 1e-3}};
+  instant.orientation = {{1, 0, 0, 0}};
+  instant.velocity = {{0, 0, 0}};
+  instant.kind = {1};
+  result.instants = {instant};
+  write_results(scratch.path(), result);
+  const FillResult back = read_results(scratch.path());
+  EXPECT_FALSE(back.powder.monodisperse());
+  EXPECT_EQ(back.powder.kinds.material, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(back.instants.at(0).kind, std::vector<std::uint8_t>{1});
+}
+
 TEST(ResultFile, GivesBackSeveralCavitiesInTheirOrder) {
   const support::TemporaryFolder scratch;
   FillResult result = sample_result();

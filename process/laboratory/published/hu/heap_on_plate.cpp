@@ -83,11 +83,7 @@ results::ExperimentSeries surface_of(const SeedResults& seed, const Case& one) {
     double& highest = top[std::lround(place[0] / width)];
     highest = std::max(highest, place[2] + 0.5 * width);
   }
-  const double angle = angle_of(seed, one);
-  results::ExperimentSeries series{.name = name_of(one) + ": " + plain(std::round(10 * angle) / 10) +
-                                           " deg, " + kClasses[carr_class(angle)],
-                                   .x = {},
-                                   .y = {}};
+  results::ExperimentSeries series{.name = name_of(one), .x = {}, .y = {}};
   for (const auto& [column, height] : top) {
     series.x.push_back(1e3 * static_cast<double>(column) * width);
     series.y.push_back(1e3 * height);
@@ -99,11 +95,16 @@ results::ExperimentChart heap_on_plate_chart(const std::vector<Case>& cases, con
   results::ExperimentChart chart;
   chart.name = "heap_on_plate";
   chart.title = "Heaps on a plate of 56 mm";
-  chart.subtitle = "Highest sphere in columns of d; angles of equal shadow with Carr's classes (Hu 2024)";
+  chart.subtitle = "Highest sphere in columns of d";
   chart.x = {.label = "x [mm]"};
   chart.y = {.label = "Height [mm]", .lower = 0};
-  for (const Case& one : cases)
-    if (seed.has(name_of(one))) chart.series.push_back(surface_of(seed, one));
+  for (const Case& one : cases) {
+    if (!seed.has(name_of(one))) continue;
+    chart.series.push_back(surface_of(seed, one));
+    const double angle = angle_of(seed, one);
+    chart.note += (chart.note.empty() ? "Angles of equal shadow, as in the legend: " : ", ") +
+                  plain(std::round(10 * angle) / 10) + " deg (" + kClasses[carr_class(angle)] + ")";
+  }
   return chart;
 }
 
