@@ -36,7 +36,7 @@ TEST(Sizes, ResultsCanBeReadWhereAllGrainsAreGoneInTheEnd) {
   const SmallDie die;
   give_sizes(die);
   const std::string velocity = "velocity = \"0.1 m/s\"\n";
-  die.exchange(velocity, velocity + "\n[[step]]\nkind = \"clear\"\n");
+  die.exchange(velocity, velocity + "\n[[step]]\nkind = \"clear\"\nabove = \"-1 m\"\n");
   die.exchange("[measure]", "[measure]\nsnapshot_interval = \"10 ms\"");
   const Outcome outcome = die.run({"--quiet", "--no-pictures"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -102,8 +102,8 @@ results::ExperimentChart heap_on_plate_chart(const std::vector<Case>& cases, con
     if (!seed.has(name_of(one))) continue;
     chart.series.push_back(surface_of(seed, one));
     const double angle = angle_of(seed, one);
-    chart.note += (chart.note.empty() ? "Angles of equal shadow, as in the legend: " : ", ") +
-                  plain(std::round(10 * angle) / 10) + " deg (" + kClasses[carr_class(angle)] + ")";
+    chart.note += (chart.note.empty() ? "Angles of equal shadow in degrees, as in the legend: " : ", ") +
+                  plain(std::round(10 * angle) / 10) + " (" + kClasses[carr_class(angle)] + ")";
   }
   return chart;
 }
