@@ -21,7 +21,7 @@ enum class CurveStyle {
 };
 
 /// One curve. Curves of data are told apart by colour, dashes and marker, so that they also read in grey
-/// print.
+/// print. A line without a name has the colour of the curve before it.
 struct Curve {
   std::string name;          ///< in the legend; empty: not in the legend
   std::vector<double> x, y;  ///< equal lengths, in the axes' units; NaN where there is no value

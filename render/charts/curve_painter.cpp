@@ -33,16 +33,22 @@ Look reference_look(std::size_t references_before) {
   return {QColor(kGrey, kGrey, kGrey), kDashes[references_before % kDashes.size()], 0, 0.75 * kLineWidth};
 }
 
+/// A line without a name goes with the curve before it, whose colour it has.
+bool is_companion(const std::vector<Curve>& curves, std::size_t index) {
+  return index > 0 && curves[index].name.empty() && curves[index].style == CurveStyle::kLine;
+}
+
 Look look_of(const std::vector<Curve>& curves, std::size_t index) {
   static constexpr std::array<Qt::PenStyle, 4> kDashes{Qt::SolidLine, Qt::DashLine, Qt::DashDotLine,
                                                        Qt::DotLine};
-  std::size_t lines_before = 0, references_before = 0;
+  std::size_t lines_before = 0, references_before = 0, companions = is_companion(curves, index) ? 1 : 0;
   for (std::size_t k = 0; k < index; ++k) {
+    companions += is_companion(curves, k);
     lines_before += curves[k].style == CurveStyle::kLine || curves[k].style == CurveStyle::kLineAndMarkers;
     references_before += curves[k].style == CurveStyle::kReference;
   }
   if (curves[index].style == CurveStyle::kReference) return reference_look(references_before);
-  const std::size_t place = index - references_before;
+  const std::size_t place = index - references_before - companions;
   return {curve_colour(place), kDashes[(lines_before + lines_before / 8) % kDashes.size()], place % 5};
 }
 

@@ -58,8 +58,8 @@ std::string power_of_ten(int exponent) {
   return text;
 }
 
-std::string decade_label(int mantissa, int exponent) {
-  if (exponent >= -3 && exponent <= 4) {
+std::string decade_label(int mantissa, int exponent, bool in_full) {
+  if (in_full) {
     const double value = mantissa * std::pow(10.0, exponent);
     return tick_label(value, std::pow(10.0, exponent));
   }
@@ -108,13 +108,14 @@ Ticks decade_ticks(const Interval& range) {
   const bool label_between = std::log10(range.upper / range.lower) < 2;
   const int first = static_cast<int>(std::floor(std::log10(range.lower) + kRoundingSlack));
   const int last = static_cast<int>(std::floor(std::log10(range.upper) + kRoundingSlack));
+  const bool in_full = first >= -3 && last <= 4;
   for (int exponent = first; exponent <= last; ++exponent) {
     for (int mantissa = 1; mantissa <= 9; ++mantissa) {
       const double value = mantissa * std::pow(10.0, exponent);
       if (value < range.lower * (1 - kRoundingSlack) || value > range.upper * (1 + kRoundingSlack)) continue;
       const bool labelled = mantissa == 1 || (label_between && (mantissa == 2 || mantissa == 5));
       ticks.at.push_back(value);
-      ticks.labels.push_back(labelled ? decade_label(mantissa, exponent) : "");
+      ticks.labels.push_back(labelled ? decade_label(mantissa, exponent, in_full) : "");
     }
   }
   return ticks;

@@ -33,7 +33,7 @@ Ticks angle_ticks(const Interval& range, int most);
 Interval widen_to_angles(const Interval& range, int most);
 
 /// Ticks for a logarithmic axis (0 < lower < upper): decades labelled, 2 to 9 minor; on less than two decades
-/// 2 and 5 are labelled too.
+/// 2 and 5 are labelled too. Written in full from 0.001 to 50000, else all as powers of ten.
 Ticks decade_ticks(const Interval& range);
 
 /// `range` widened outwards to multiples of its nice_step.

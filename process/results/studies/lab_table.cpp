@@ -19,8 +19,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Four digits; from ten thousand to a million without a power of ten.
 std::string short_number(double value) {
-  return results::formatted("%.4g", value);
+  const double size = std::abs(value);
+  return results::formatted(size >= 1e4 && size < 1e6 ? "%.0f" : "%.4g", value);
 }
 
 Json json_of(const LabRow& row) {

@@ -38,6 +38,14 @@ TEST(LabTable, IsReadAsItWasWritten) {
   EXPECT_EQ(here_text(read.rows[1]), "-");
 }
 
+TEST(LabTable, CountsAreShownWithoutAPowerOfTen) {
+  LabRow row;
+  row.values = {15626.4};
+  EXPECT_EQ(here_text(row), "15626");
+  row.values = {1.5e6};
+  EXPECT_EQ(here_text(row), "1.5e+06");
+}
+
 TEST(LabTable, NamesThatAreNoUtf8AreWritten) {
   const support::TemporaryFolder folder;
   LabTable table;

@@ -72,6 +72,22 @@ TEST_F(ChartTest, CurvesPassThroughTheirPoints) {
   }
 }
 
+TEST_F(ChartTest, ALineWithoutANameHasTheColourOfTheCurveBeforeIt) {
+  Chart chart;
+  chart.x.lower = 0, chart.x.upper = 10;
+  chart.y.lower = 0, chart.y.upper = 10;
+  chart.curves = {{"points", {1}, {1}, CurveStyle::kMarkers, {}},
+                  {"", {0, 10}, {3, 3}, CurveStyle::kLine, {}},
+                  {"others", {1}, {5}, CurveStyle::kMarkers, {}},
+                  {"", {0, 10}, {7, 7}, CurveStyle::kLine, {}}};
+  const auto picture = compose_chart(chart);
+  const auto at = [&](double x, double y) { return pixel_at(picture.image, picture.plot.pixel(x, y)); };
+  EXPECT_TRUE(close_to(at(1, 1), colour_of(0), 3));
+  EXPECT_TRUE(close_to(at(0.1, 3), colour_of(0), 3));
+  EXPECT_TRUE(close_to(at(1, 5), colour_of(1), 3));
+  EXPECT_TRUE(close_to(at(0.1, 7), colour_of(1), 3));
+}
+
 TEST_F(ChartTest, LongLegendsStandCloserAndInSmallerType) {
   constexpr double kWidth = 1400, kRow = 42;
   const auto height_of = [](std::size_t names, const std::string& words, const std::string& first) {

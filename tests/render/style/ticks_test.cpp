@@ -62,8 +62,9 @@ TEST(Ticks, DecadesAreLabelledAndBetweenOnlyWhereFew) {
   Labels labelled;
   for (const auto& label : wide.labels)
     if (!label.empty()) labelled.push_back(label);
-  EXPECT_EQ(labelled, (Labels{"0.001", "0.01", "0.1", "1", "10", "100", "1000", "10000", "10⁵", "10⁶"}));
+  EXPECT_EQ(labelled, (Labels{"10⁻³", "10⁻²", "10⁻¹", "10⁰", "10¹", "10²", "10³", "10⁴", "10⁵", "10⁶"}));
   EXPECT_EQ(wide.at.size(), 9U * 9U + 1U);
+  EXPECT_EQ(decade_ticks({1e3, 1e4}).labels.back(), "10000");
   const Ticks narrow = decade_ticks({1, 10});
   EXPECT_EQ(narrow.labels, (Labels{"1", "2", "", "", "5", "", "", "", "", "10"}));
   EXPECT_EQ(decade_ticks({1e-6, 1e-2}).labels.front(), "10⁻⁶");
