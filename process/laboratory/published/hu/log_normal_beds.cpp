@@ -207,7 +207,7 @@ results::ExperimentChart log_normal_scaling_chart(const std::vector<PointOfRun>&
   results::ExperimentChart chart;
   chart.name = "log_normal_scaling";
   chart.title = "Contacts of enlarged spheres of widely different sizes";
-  chart.subtitle = "s_d over m_d = 0.8; published: within 4 % (l = 2) and 12 % (l = 4) of the originals";
+  chart.subtitle = "s_d over m_d = 0.8; published: 0.04 (l = 2) and 0.12 (l = 4) from the originals";
   chart.x = {.label = "Enlargement l [-]", .lower = 0};
   chart.y = {.label = "Mean coordination number [-]", .lower = 0};
   add_run_series(chart, seed, "method 1", runs,
