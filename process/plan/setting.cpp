@@ -80,13 +80,13 @@ Bound coarsest(Setting setting, const Scene& scene, const geometry::Cavity& cavi
 }
 
 /// Spacing of wall spheres over their radius: with the quick setting 2.4, as in the quick start, where holes
-/// stay smaller than half a basic sphere; else 1.6 (engine/STABILITY.md, walls), or 1.4, which no sphere
-/// passes, where the powder's smallest spheres would pass between wall spheres that are large beside them.
+/// stay smaller than half the powder's smallest spheres; else 1.6 (engine/STABILITY.md, walls), or 1.4, which
+/// no sphere passes, where these would pass between wall spheres that are large beside them.
 double spacing_for(Setting setting, const Scene& scene, double sphere_radius) {
   constexpr double kWide = 2.4, kUsual = 1.6, kTight = 1.4;
   const double wall = scene.walls.sphere_radius;
-  if (setting == Setting::quick && (kWide * std::numbers::sqrt2 - 2) * wall < sphere_radius) return kWide;
   const double smallest = sphere_radius * smallest_grain(scene) / scene.powder.grain_diameter;
+  if (setting == Setting::quick && (kWide * std::numbers::sqrt2 - 2) * wall < smallest) return kWide;
   return (kUsual / std::numbers::sqrt2 - 1) * wall < smallest ? kUsual : kTight;
 }
 
