@@ -16,7 +16,7 @@ DeepestOnMesh visit_spheres(const MeshPairs& near, MeshWorkspace& workspace, std
     const std::uint32_t end = block.wall_runs[r + 1].first;
     const double radius = near.radius_of(run.own);
     SphereOnMesh sphere(workspace, near.body, near.place_of(run.own), radius);
-    const double within = run.within(plain(sphere.place()), radius);
+    const double within = run.within(plain(sphere.place()), sphere.reach());
     for (std::uint32_t p = run.first; p < end; ++p)
       if (block.wall_distance[p] < within) sphere.add_triangle(p, block.wall_pairs.pair[p].wall);
     const std::span<const TriangleTouch> touching = sphere.touches();

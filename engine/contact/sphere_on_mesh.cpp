@@ -7,6 +7,10 @@ namespace {
 /// Over the sphere's radius: places on a seam that differ by less are one. CAD in single precision leaves
 /// gaps of a few 1e-9 m where a corner of one triangle lies on the edge of another.
 constexpr double kSamePlace = 1e-5;
+/// At an edge, the faces on both sides are equally near up to the larger of this share of the radius and so
+/// many m: CAD leaves steps of some 1e-8 m between them, by which the one whose plane the centre has left may
+/// be the nearer.
+constexpr double kEquallyNear = 1e-4, kStepOfCad = 5e-8;
 /// Over the radius, distance of a centre that has come behind the surface: it still has a side to be pushed
 /// to.
 constexpr double kBehind = 1e-9;
@@ -33,14 +37,19 @@ Eigen::Vector3d separation_from_triangle(const WallBody& body, std::uint32_t par
 
 SphereOnMesh::SphereOnMesh(MeshWorkspace& workspace, const WallBody& body, const Eigen::Vector3d& place,
                            double radius)
-    : workspace_(workspace), body_(body), place_(place), radius_(radius), tolerance_(kSamePlace * radius) {
+    : workspace_(workspace),
+      body_(body),
+      place_(place),
+      radius_(radius),
+      tolerance_(kSamePlace * radius),
+      equally_near_(std::max(kEquallyNear * radius, kStepOfCad)) {
   workspace_.feet.clear();
 }
 
 void SphereOnMesh::add_triangle(std::uint32_t near, std::uint32_t part) {
   const NearestPoint nearest = nearest_point(body_.triangles()[part], place_);
   const Eigen::Vector3d way = place_ - nearest.point;
-  if (way.squaredNorm() >= radius_ * radius_) return;
+  if (way.squaredNorm() >= reach() * reach()) return;
   workspace_.feet.push_back({near, part, nearest, way.norm(), body_.triangle_normals()[part].dot(way)});
 }
 
@@ -53,6 +62,7 @@ std::span<const TriangleTouch> SphereOnMesh::touches() {
       *std::min_element(feet.begin(), feet.end(), [](const TriangleFoot& a, const TriangleFoot& b) {
         return a.distance != b.distance ? a.distance < b.distance : a.height > b.height;
       });
+  if (nearest.distance >= radius_) return touches;
   if (is_behind(nearest)) {
     touches.push_back({nearest.near, plain(separation(nearest))});
     deepest_ = radius_ + nearest.distance;
@@ -75,7 +85,8 @@ void SphereOnMesh::keep_nearest() {
   auto& kept = workspace_.kept;
   kept.clear();
   for (const TriangleFoot& foot : workspace_.feet)
-    if (foot.height > 0 && (foot.point.inside || is_nearest_around(foot))) kept.push_back(&foot);
+    if (foot.distance < radius_ && foot.height > 0 && (foot.point.inside || is_nearest_around(foot)))
+      kept.push_back(&foot);
   std::sort(kept.begin(), kept.end(), [](const TriangleFoot* a, const TriangleFoot* b) {
     return a->distance != b->distance ? a->distance < b->distance : a->near < b->near;
   });
@@ -89,10 +100,11 @@ bool SphereOnMesh::at_same_place(const TriangleFoot& one, const TriangleFoot& ot
   return (one.point.point - other.point.point).squaredNorm() <= tolerance_ * tolerance_;
 }
 
-/// Whether the sphere's centre is on the wrong side of the surface there, which is nearest of all.
+/// Whether the sphere's centre is on the wrong side of the surface there, which is nearest of all: no
+/// triangle as near sees it from the front.
 bool SphereOnMesh::is_behind(const TriangleFoot& nearest) const {
   return std::none_of(workspace_.feet.begin(), workspace_.feet.end(), [&](const TriangleFoot& other) {
-    return other.height > 0 && (&other == &nearest || at_same_place(nearest, other));
+    return other.height > 0 && other.distance <= nearest.distance + equally_near_;
   });
 }
 

@@ -23,7 +23,7 @@ Eigen::Vector3d separation_from_triangle(const WallBody& body, std::uint32_t par
 /// Whether directions `a` and `b` (of any length) differ by less than facets of one surface do (15 degrees).
 bool same_direction(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// Where a triangle that a sphere overlaps comes nearest to its centre.
+/// Where a triangle that a sphere overlaps, or nearly so, comes nearest to its centre.
 struct TriangleFoot {
   std::uint32_t near, part;  ///< numbers of the near pair and of the triangle
   NearestPoint point;
@@ -56,6 +56,9 @@ class SphereOnMesh {
   const WallBody& body() const { return body_; }
   const Eigen::Vector3d& place() const { return place_; }
   double radius() const { return radius_; }
+  /// m from the centre, within which triangles matter: beyond the radius, as the face at an edge may be
+  /// farther than the edge of the next by a step of the CAD.
+  double reach() const { return radius_ + equally_near_; }
 
   /// Tests triangle `part` of near pair `near`; numbers rise from call to call.
   void add_triangle(std::uint32_t near, std::uint32_t part);
@@ -76,7 +79,7 @@ class SphereOnMesh {
   MeshWorkspace& workspace_;
   const WallBody& body_;
   Eigen::Vector3d place_;
-  double radius_, tolerance_, deepest_ = 0;
+  double radius_, tolerance_, equally_near_, deepest_ = 0;  ///< m
 };
 
 /// Notes in `table` which of the near pairs [begin, end), all of `sphere` with its body, touch now. The

@@ -69,6 +69,26 @@ INSTANTIATE_TEST_SUITE_P(MeshWalls, Rebound,
                                            Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(0.2, 0, 1),
                                            Eigen::Vector3d(0.3, 1, 0.1)));
 
+/// CAD leaves steps of some 1e-8 m between faces: seen from beside its plane, the edge of the upper face is
+/// nearer than the side, but the grain is not behind it.
+TEST(MeshWalls, EdgeThatStandsOutByAStepOfTheCadPushesNothingThrough) {
+  constexpr double kStep = 1e-8;  // m
+  const auto settings = elastic();
+  const double speed = 0.3, radius = settings.shape().sphere_radius;
+  auto wall = target();
+  for (auto& triangle : wall.triangles) {
+    const auto level = [](const Eigen::Vector3d& corner) { return corner.z() == 0; };
+    if (!std::all_of(triangle.corner.begin(), triangle.corner.end(), level)) continue;
+    for (auto& corner : triangle.corner)
+      if (corner.x() == 0) corner.x() = kStep;
+  }
+  const auto simulation =
+      thrown(settings, wall, {1.01 * radius, -0.5 * kEdge, -5e-7}, -speed * Eigen::Vector3d::UnitX());
+  const double deepest = deepest_of_rebound(settings, radius, speed);
+  EXPECT_NEAR(simulation.deepest_overlap_of_run(), deepest, 1e-3 * deepest);
+  EXPECT_LT((velocity_of(simulation, 0) - speed * Eigen::Vector3d::UnitX()).norm(), 1e-2 * speed);
+}
+
 TEST(MeshWalls, TakeTheEffectiveRadiusAskedFor) {
   const auto settings = elastic();
   const double radius = settings.shape().sphere_radius, speed = 0.3;
