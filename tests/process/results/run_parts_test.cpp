@@ -78,7 +78,7 @@ TEST(PeriodicWall, RepeatsExactlyWithThePeriodAndHasNoSeam) {
   const double period = 2.16e-3;
   geometry::WallSphereOptions options;
   const auto spheres = make_periodic_wall_spheres(box({-2e-3, -5e-3, -2e-3}, {2e-3, 5e-3, 0}), options,
-                                                  {std::nullopt, period}, period, "plate");
+                                                  {{std::nullopt, period, std::nullopt}}, period, "plate");
   std::set<std::pair<long, long>> rows;
   for (const auto& centre : spheres.centres) {
     if (centre[2] < -1.6e-4) continue;  // the top only
@@ -96,14 +96,58 @@ TEST(PeriodicWall, RepeatsExactlyWithThePeriodAndHasNoSeam) {
   }
 }
 
-TEST(PeriodicWall, RefusesAToolThatEndsWithinThePeriodOrIsNoPrism) {
+constexpr double kGrain = 1e-3;  // m, clearance of tools from the borders of a period
+
+/// A period of 2 mm along y.
+PeriodicPath short_period() {
+  return {.period = {std::nullopt, 2e-3, std::nullopt}, .clearance = 2e-4};
+}
+
+geometry::Mesh plate() {
+  return box({-2e-3, -5e-3, -2e-3}, {2e-3, 5e-3, 0});
+}
+
+TEST(PeriodicWall, RefusesAToolThatEndsAtTheBorderOrDiffersBetweenItsEnds) {
   const geometry::WallSphereOptions options;
-  EXPECT_THROW(make_periodic_wall_spheres(box({-2e-3, -1e-3, -2e-3}, {2e-3, 1e-3, 0}), options,
-                                          {std::nullopt, 4e-3}, 1e-3, "plate"),
+  const PeriodicPath path{.period = {std::nullopt, 4e-3, std::nullopt}, .clearance = kGrain};
+  EXPECT_THROW(make_periodic_wall_spheres(box({-2e-3, -1.5e-3, -2e-3}, {2e-3, 1.5e-3, 0}), options, path,
+                                          1e-3, "plate"),
                SceneError);
-  auto wedge = box({-2e-3, -5e-3, -2e-3}, {2e-3, 5e-3, 0});
+  auto wedge = plate();
   wedge.vertices[7][1] = 2e-3;
-  EXPECT_THROW(make_periodic_wall_spheres(wedge, options, {std::nullopt, 2e-3}, 1e-3, "plate"), SceneError);
+  EXPECT_THROW(make_periodic_wall_spheres(wedge, options, short_period(), 1e-3, "plate"), SceneError);
+  auto tilted = plate();
+  tilted.vertices[6][2] = tilted.vertices[7][2] = 1e-3;
+  EXPECT_THROW(make_periodic_wall_spheres(tilted, options, short_period(), 1e-3, "plate"), SceneError);
+}
+
+TEST(PeriodicWall, ReachesAsFarBeyondTheBordersAsItsToolMovesAlongThem) {
+  PeriodicPath path = short_period();
+  path.lowest[1] = -7e-3;
+  const auto spheres = make_periodic_wall_spheres(plate(), {}, path, 1e-3, "plate");
+  double lowest = 0, highest = 0;
+  for (const auto& centre : spheres.centres) {
+    lowest = std::min(lowest, centre.y());
+    highest = std::max(highest, centre.y());
+  }
+  EXPECT_GT(highest - 7e-3, 1e-3) << "moved by the whole way it does not cover the period";
+  EXPECT_LT(lowest, -1.5e-3);
+  path.turns = true;
+  auto notched = plate();
+  notched.vertices.emplace_back(0, 0, 1e-3);
+  EXPECT_THROW(make_periodic_wall_spheres(notched, {}, path, 1e-3, "plate"), SceneError);
+}
+
+TEST(PeriodicWall, StandsInEveryPeriodWhereItsToolStaysWithinOne) {
+  const PeriodicPath path{.period = {std::nullopt, 4e-3, std::nullopt}, .clearance = kGrain};
+  const auto blade = box({-2e-3, -0.5e-3, -2e-3}, {2e-3, 0.5e-3, 0});
+  const geometry::WallSphereOptions options;
+  const auto one = geometry::make_wall_spheres(blade, options);
+  const auto all = make_periodic_wall_spheres(blade, options, path, 4e-3, "blade");
+  EXPECT_EQ(all.centres.size(), 3 * one.centres.size());
+  PeriodicPath moving = path;
+  moving.highest[1] = 1e-3;
+  EXPECT_THROW(make_periodic_wall_spheres(blade, options, moving, 4e-3, "blade"), SceneError);
 }
 
 Scene open_box(const std::string& preset) {

@@ -82,10 +82,10 @@ geometry::Mesh prism() {
 }
 
 TEST(PeriodicWallMesh, ReachesBeyondBothBorders) {
-  const auto fitted = periodic_wall_mesh(prism(), {std::nullopt, 4e-3}, 1e-3, "plate");
+  const auto fitted = periodic_wall_mesh(prism(), {{std::nullopt, 4e-3, std::nullopt}}, 1e-3, "plate");
   EXPECT_DOUBLE_EQ(fitted.bounding_box().lower.y(), -3e-3);
   EXPECT_DOUBLE_EQ(fitted.bounding_box().upper.y(), 3e-3);
-  const auto longer = periodic_wall_mesh(prism(), {std::nullopt, 5e-3}, 2e-3, "plate");
+  const auto longer = periodic_wall_mesh(prism(), {{std::nullopt, 5e-3, std::nullopt}}, 2e-3, "plate");
   EXPECT_DOUBLE_EQ(longer.bounding_box().upper.y(), 4.5e-3);
   EXPECT_DOUBLE_EQ(longer.bounding_box().upper.x(), 1e-3);
 }
