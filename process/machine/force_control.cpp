@@ -41,7 +41,10 @@ double ForceControl::scale(const ControlState& state) const {
 void ForceControl::pass_targets(ControlState& state, double measured, double now) const {
   if (!pause || state.passed >= targets.size()) return;
   const double target = wanted(state), whole = target > 0 ? target : scale(state);
-  if (state.reached < 0 && std::abs(measured - target) <= kReached * whole) state.reached = now;
+  // The resistance of a few grains fluctuates about 0 by more than a share of what it was.
+  const double before = state.passed > 0 ? 1 : state.load;
+  const bool freed = !(target > 0) && measured * before <= 0;
+  if (state.reached < 0 && (freed || std::abs(measured - target) <= kReached * whole)) state.reached = now;
   if (state.reached < 0 || now - state.reached < *pause) return;
   ++state.passed;
   state.reached = -1;

@@ -102,6 +102,19 @@ TEST(Rotor, FreesItselfOfTorqueByTurningBackWithoutPassingIt) {
   EXPECT_GT(way.least, -0.02 * kFriction);
 }
 
+TEST(Rotor, IsFreeOfATorqueThatFluctuatesAboutZero) {
+  ForceControl control = rotor();
+  control.targets = {0};
+  control.pause = 1e-3;
+  control.back = 2 * kSlips;
+  Coulomb powder(kSlips);
+  double sign = 1;
+  const Way way = follow(
+      control, [&](double angle) { return powder(angle) + 0.3 * kFriction * (sign = -sign); }, 0.2);
+  EXPECT_TRUE(way.ended);
+  EXPECT_NEAR(way.state.coordinate, -kSlips, 0.5 * kSlips);
+}
+
 TEST(Rotor, WithoutTorqueFromTheStartIsFreeOfItAtOnce) {
   ForceControl control = rotor();
   control.targets = {0};
