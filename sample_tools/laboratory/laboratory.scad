@@ -44,10 +44,17 @@ if (part == "cup") translate([0, 0, -cup_depth - 2]) difference() {
 }
 if (part == "gate") translate([-10, -10, -2]) cube([20, 20, 2]);
 
-// Floor of wide periodic beds; plate of a heap (Hu 2024, section 5.3); lid within the walls of a shoe of 32 mm.
+// Floor of wide periodic beds; plate of a heap (Hu 2024, section 5.3).
 if (part == "wide_floor") translate([-150, -150, -thickness]) cube([300, 300, thickness]);
 if (part == "heap_plate") translate([-28, -28, -thickness]) cube([56, 56, thickness]);
-if (part == "lid") prism(-15.5, 15.5, 0, 8);
+
+// Lid with a blade across the slice, 1 mm thick, over all of a period (Bierwisch 2009, section 4.2.4): lid_3.5mm.stl,
+// lid_4.5mm.stl. The blade is to end about a grain above the plate under 5 mm of powder.
+blade = 3.5;
+if (part == "lid") {
+  prism(-20, 20, 0, thickness);
+  prism(-0.5, 0.5, -blade, thickness);
+}
 
 // Vertical mixer (Hu 2024, section 4.3): a vessel of 84 mm inside diameter, z = 0 at its floor, and an impeller of three
 // flat blades that turns counter-clockwise. Height, hub and blades are not published: assumptions.

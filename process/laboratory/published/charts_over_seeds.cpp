@@ -114,6 +114,11 @@ std::vector<std::vector<ExperimentSeries>> series_by_name(const std::vector<Expe
 /// `charts` has the same chart of each seed that has it.
 ExperimentChart chart_over_seeds(const std::vector<ExperimentChart>& charts) {
   ExperimentChart all = charts.front();
+  if (all.first_seed_only) {
+    all.subtitle += std::string(all.subtitle.empty() ? "" : "; ") +
+                    (charts.size() > 1 ? "first of " + std::to_string(charts.size()) + " seeds" : "one seed");
+    return all;
+  }
   all.series.clear();
   Shown shown;
   for (const auto& seeds : series_by_name(charts)) all.series.push_back(series_over_seeds(seeds, shown));

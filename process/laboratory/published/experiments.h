@@ -90,6 +90,8 @@ LabPlan plan_ring_maps(const LabSetting& setting);
 /// The same ring while it fills, and how deep later passages move its powder (section 6.4, E18).
 LabPlan plan_ring_transient(const LabSetting& setting);
 LabPlan plan_ring_displacement(const LabSetting& setting);
+/// Rotational oscillation of the filled ring, one setting varied at a time (section 6.5.2, E20).
+LabPlan plan_ring_oscillation(const LabSetting& setting);
 /// Scatter of the discharge over packings (section 4.2.1, E10).
 LabPlan plan_packing_scatter(const LabSetting& setting);
 

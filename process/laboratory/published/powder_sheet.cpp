@@ -1,12 +1,15 @@
 // The tests of powder metallurgists on a model powder: apparent density and flow out of a funnel (after ISO
-// 3923-1 and ISO 4490), density after vibration (after ISO 3953), angles of repose, discharge of the shoe
-// over its speed. Funnels have the orifices of 5 or 7.5 mm; flow is converted to the standard's orifices by
-// Beverloo's law with the width less 1.4 d (Bierwisch 2009, Eq. 5.1 and section 3.2.2).
+// 3923-1 and ISO 4490), density after vibration (after ISO 3953), angles of repose, wall friction angle,
+// discharge of the shoe over its speed. Funnels have the orifices of 5 or 7.5 mm; flow is converted to the
+// standard's orifices by Beverloo's law with the width less 1.4 d (Bierwisch 2009, Eq. 5.1 and
+// section 3.2.2).
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "process/laboratory/published/bierwisch/repose_scene.h"
 #include "process/laboratory/published/bierwisch/slit_scene.h"
+#include "process/laboratory/published/bierwisch/wall_shear.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/measure/figures/heap_slope.h"
 #include "process/powder/empty_annulus.h"
@@ -18,6 +21,7 @@ namespace {
 
 constexpr const char* kFunnel = "funnel and cup";
 constexpr const char* kHeap = "heap";
+constexpr const char* kWall = "wall friction";
 constexpr const char* kPreset = "Distaloy AE";  // where the user gives no powder
 constexpr double kRealGrain = 1e-4;             // m, of the powder that the grains stand for
 constexpr double kSpeeds[] = {0.18, 0.4, 0.8};
@@ -137,6 +141,15 @@ void add_heap(const LabSetting& setting, LabPlan& plan) {
       [](const SeedResults& seed) { return results::figure_of(seed.of(kHeap), heap_figure(kHeapOnFloor)); });
 }
 
+void add_wall(const LabSetting& setting, const LabPowder& powder, LabPlan& plan) {
+  const WallShear shear;
+  plan.runs.push_back({kWall, "wall_friction.toml", wall_shear_changes(setting, powder, shear)});
+  add(plan, "wall_friction_angle", "wall friction angle under 1 kPa, wall spheres as in a die", "deg", kWall,
+      [=](const SeedResults& seed) {
+        return std::atan(effective_friction(seed, kWall, powder, shear)) * 180 / std::numbers::pi;
+      });
+}
+
 std::string slit_name(double speed) {
   return "slit of 10 mm, " + plain(speed) + " m/s";
 }
@@ -186,6 +199,7 @@ LabPlan plan_powder_sheet(const LabSetting& setting) {
   LabPlan plan;
   add_funnel(setting, powder, plan);
   add_heap(setting, plan);
+  add_wall(setting, powder, plan);
   add_slits(setting, powder, plan);
   plan.charts = [](const SeedResults& seed) { return std::vector{discharge_chart(seed)}; };
   return plan;

@@ -41,6 +41,8 @@ const std::vector<SceneExperiment>& scene_experiments() {
        plan_ring_transient},
       {"ring_displacement", "how deep do later passages move the powder in a narrow ring?",
        plan_ring_displacement},
+      {"ring_oscillation", "what decides whether a ring oscillated at 8 Hz is densified?",
+       plan_ring_oscillation},
       {"uniaxial_compression", "is a bed of enlarged spheres as stiff in compression as the original?",
        plan_uniaxial_compression},
       {"mono_disperse_beds", "how does rolling resistance reduce the density of cohesive spheres?",

@@ -37,6 +37,7 @@ struct ExperimentChart {
   std::string title, subtitle, note;
   ExperimentAxis x, y;
   std::vector<ExperimentSeries> series;
+  bool first_seed_only = false;  ///< of events at other instants with each seed, whose mean is no event
 };
 
 /// A limit that was determined.

@@ -1,7 +1,6 @@
 // Angles of repose with the slider (Bierwisch 2009, sections 4.1.3 and 4.1.4, Table 4.3): theta_O of the
 // powder that stays on the slider, theta_H of the heap on the floor, and how far surfaces still creep from
-// two to four seconds after the draw. The coarse size has the set-up of half the lengths
-// (sample_tools/tradeoff).
+// two to four seconds after the draw.
 #include <cmath>
 #include <limits>
 
@@ -17,78 +16,40 @@ namespace {
 struct Model {
   const char* name;
   const char* preset;
-  const char* on_slider;  ///< published figures; empty: none
+  const char* on_slider;  ///< figures, of which R03 to R08 are published; empty: none
   const char* on_floor;
   const char* creep;
 };
 
-constexpr Model kModels[] = {{"A2", "ASC100.29 A2", "R03", "R04", ""},
+constexpr Model kModels[] = {{"A1", "ASC100.29 A1", "theta_O, A1", "theta_H, A1", ""},
+                             {"A2", "ASC100.29 A2", "R03", "R04", ""},
                              {"D2", "ASC100.29 D2", "R05", "R06", ""},
                              {"D1", "ASC100.29 D1", "R07", "R08", ""},
                              {"B1", "ASC100.29 B1", "", "", "R09"},
                              {"C1", "ASC100.29 C1", "", "", "R10"}};
+
+constexpr const char* kSecond = "second";  // snapshot, 4 s after the draw
 
 std::vector<Model> models_of(const LabSetting& setting) {
   if (has_own_powder(setting)) return {{"powder", "", "theta_O", "theta_H", ""}};
   return {std::begin(kModels), std::end(kModels)};
 }
 
-/// m, boxes around the heaps on floor and slider; of repose.toml, or of half its lengths.
-std::vector<Eigen::AlignedBox3d> heaps_of(bool half_lengths) {
-  using Box = Eigen::AlignedBox3d;
-  using Place = Eigen::Vector3d;
-  constexpr double kWide = 1;  // the slice is all there is
-  if (!half_lengths)
-    return {Box(Place(-0.078, -kWide, -0.042), Place(0.030, kWide, -0.002)),
-            Box(Place(-0.010, -kWide, 0), Place(0.020, kWide, 0.060))};
-  return {Box(Place(-0.048, -kWide, -0.024), Place(0.020, kWide, -0.002)),
-          Box(Place(-0.010, -kWide, 0), Place(0.010, kWide, 0.040))};
+/// Whether its heaps go on moving, so that they are looked at after a given time.
+bool creeps(const LabSetting& setting, const Model& model) {
+  return *model.creep != '\0' || lab_powder(setting, model.preset, setting.scale()).creeps;
 }
 
-std::string heap_lines(const char* heap, const Eigen::AlignedBox3d& box, double half) {
-  const std::string key = std::string("measure.heap.\"") + heap + "\".";
-  return line(key + "from", point_in_millimetres(box.min().x(), -half, box.min().z())) +
-         line(key + "to", point_in_millimetres(box.max().x(), half, box.max().z()));
-}
-
-/// Half the lengths of the published set-up, with the tools of sample_tools/tradeoff.
-std::string half_size(double half) {
-  std::string set;
-  set += line("tool.floor.file", "\"../tradeoff/floor.stl\"");
-  set += line("tool.\"side wall\".file", "\"../tradeoff/side_wall.stl\"");
-  set += line("tool.slider.file", "\"../tradeoff/slider.stl\"");
-  set += line("pour.from", point_in_millimetres(0.0001, -half, 0));
-  set += line("pour.to", point_in_millimetres(0.0199, half, 0.040));
-  set += line("pour.fill_height", "\"16 mm\"");
-  const auto heaps = heaps_of(true);
-  return set + heap_lines(kHeapOnFloor, heaps[0], half) + heap_lines(kHeapOnSlider, heaps[1], half);
-}
-
-std::string full_size(double half) {
-  std::string set;
-  set += line("pour.from", point_in_millimetres(0.0001, -half, 0));
-  set += line("pour.to", point_in_millimetres(0.0299, half, 0.060));
-  return set;
-}
-
-/// Where a heap creeps: two snapshots, 2 and 4 s after the draw, then it is cleared away, as it never comes
-/// to rest.
-std::string creep_steps() {
-  return "step.\"heaps form\".duration = \"4.1 s\"\n"
-         "step.end.kind = \"clear\"\n"
-         "numerics.max_time = \"15 s\"\n"
-         "[[snapshot]]\nname = \"first\"\nwhen = { after = \"draw\", delay = \"2 s\" }\n"
-         "[[snapshot]]\nname = \"second\"\nwhen = { after = \"draw\", delay = \"4 s\" }\n";
-}
-
-/// Of a published model the published figure says what it is.
-LabQuantity angle_of(bool published, const std::string& id, const std::string& run, const char* heap) {
-  return {
-      .id = id,
-      .quantity = published ? "" : "angle of repose, " + std::string(heap),
-      .unit = published ? "" : "deg",
-      .runs = {run},
-      .value = [=](const SeedResults& seed) { return results::figure_of(seed.of(run), heap_figure(heap)); }};
+/// Of a published figure the figure says what it is.
+LabQuantity angle_of(const LabSetting& setting, const Model& model, const char* heap) {
+  const std::string id = std::string(heap) == kHeapOnSlider ? model.on_slider : model.on_floor;
+  const bool published = id.rfind("theta_", 0) != 0;
+  const std::string of = has_own_powder(setting) ? "" : " of " + std::string(model.name);
+  LabQuantity angle = heap_angle(model.name, heap, creeps(setting, model) ? kSecond : "");
+  angle.id = id;
+  angle.quantity = published ? "" : "angle of repose" + of + ", " + heap;
+  if (published) angle.unit = "";
+  return angle;
 }
 
 /// deg, angle of D1 less that of D2.
@@ -140,8 +101,12 @@ void add_surface(const results::PowderState& powder, const Eigen::AlignedBox3d& 
   }
 }
 
-results::ExperimentChart angle_of_repose_chart(const std::vector<Model>& models,
-                                               const std::vector<Eigen::AlignedBox3d>& heaps,
+std::vector<Eigen::AlignedBox3d> heaps_of(const LabSetting& setting, const Model& model) {
+  const HeapBoxes heaps = heap_boxes(slider_draw(lab_powder(setting, model.preset, setting.scale())));
+  return {heaps.on_floor, heaps.on_slider};
+}
+
+results::ExperimentChart angle_of_repose_chart(const std::vector<Model>& models, const LabSetting& setting,
                                                const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "angle_of_repose";
@@ -153,10 +118,10 @@ results::ExperimentChart angle_of_repose_chart(const std::vector<Model>& models,
   chart.y = {.label = "Height above the slider [mm]"};
   for (const Model& model : models) {
     if (!seed.has(model.name)) continue;
-    const bool creeps = *model.creep != '\0';
-    const auto& powder = creeps ? seed.at(model.name, "second").powder : seed.of(model.name).powder;
+    const auto& powder =
+        creeps(setting, model) ? seed.at(model.name, kSecond).powder : seed.of(model.name).powder;
     results::ExperimentSeries surfaces{.name = model.name, .x = {}, .y = {}};
-    for (const auto& heap : heaps) add_surface(powder, heap, surfaces);
+    for (const auto& heap : heaps_of(setting, model)) add_surface(powder, heap, surfaces);
     chart.series.push_back(surfaces);
   }
   return chart;
@@ -164,49 +129,29 @@ results::ExperimentChart angle_of_repose_chart(const std::vector<Model>& models,
 
 }  // namespace
 
-SceneChanges repose_changes(const LabSetting& setting, const LabPowder& powder, bool half_lengths,
-                            bool creeps) {
-  const double half = 2.5 * powder.size;
-  SceneChanges changes = powder.changes;
-  changes.set += half_lengths ? half_size(half) : full_size(half);
-  changes.set += line("step.draw.distance", powder.size >= 0.9e-3 ? "\"10 mm\"" : "\"5 mm\"");
-  changes.set += line("numerics.periodic", "{ y = " + millimetres(2 * half) + " }");
-  if (!has_own_powder(setting))
-    changes.set += line("numerics.time_step", with_unit(2 * powder.size / powder.own_size, "us"));
-  if (creeps) changes.set += creep_steps();
-  return changes;
-}
-
-SceneChanges repose_changes(const LabSetting& setting, const std::string& preset, bool creeps) {
-  return repose_changes(setting, lab_powder(setting, preset, setting.scale()),
-                        setting.size == LabSize::coarse, creeps);
-}
-
 LabPlan plan_angle_of_repose(const LabSetting& setting) {
   const auto models = models_of(setting);
-  const auto heaps = heaps_of(setting.size == LabSize::coarse);
   LabPlan plan;
   for (const Model& model : models) {
     const std::string run = model.name;
-    plan.runs.push_back({run, "repose.toml", repose_changes(setting, model.preset, *model.creep != '\0')});
-    if (*model.on_slider != '\0') {
-      const bool published = !has_own_powder(setting);
-      plan.quantities.push_back(angle_of(published, model.on_slider, run, kHeapOnSlider));
-      plan.quantities.push_back(angle_of(published, model.on_floor, run, kHeapOnFloor));
+    plan.runs.push_back({run, "repose.toml", repose_changes(setting, model.preset, creeps(setting, model))});
+    if (*model.creep == '\0') {
+      plan.quantities.push_back(angle_of(setting, model, kHeapOnSlider));
+      plan.quantities.push_back(angle_of(setting, model, kHeapOnFloor));
+      continue;
     }
-    if (*model.creep != '\0')
-      plan.quantities.push_back({.id = model.creep,
-                                 .quantity = "",
-                                 .unit = "",
-                                 .runs = {run},
-                                 .value = [run, heaps](const SeedResults& seed) {
-                                   return surface_drift(seed.at(run, "first").powder,
-                                                        seed.at(run, "second").powder, heaps);
-                                 }});
+    plan.quantities.push_back({.id = model.creep,
+                               .quantity = "",
+                               .unit = "",
+                               .runs = {run},
+                               .value = [run, heaps = heaps_of(setting, model)](const SeedResults& seed) {
+                                 return surface_drift(seed.at(run, "first").powder,
+                                                      seed.at(run, kSecond).powder, heaps);
+                               }});
   }
   if (!has_own_powder(setting)) add_effect_of_cohesion(plan);
-  plan.charts = [models, heaps](const SeedResults& seed) {
-    return std::vector{angle_of_repose_chart(models, heaps, seed)};
+  plan.charts = [models, setting](const SeedResults& seed) {
+    return std::vector{angle_of_repose_chart(models, setting, seed)};
   };
   return plan;
 }

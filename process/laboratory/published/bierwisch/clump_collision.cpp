@@ -86,6 +86,7 @@ results::ExperimentChart clump_collision_chart(const SeedResults& seed, const Ca
   chart.subtitle = "Model D, 0.2 m/s standard deviation of velocities, no gravity";
   chart.x = {.label = "Time over grain size [s/m]"};
   chart.y = {.label = "Contact energy over solid volume [J/m3]"};
+  chart.first_seed_only = true;
   for (const double scale : kScales) {
     if (!seed.has(run_name(one, scale))) continue;
     results::ExperimentSeries series{.name = "d = " + plain(1e3 * kReference * scale) + " mm",

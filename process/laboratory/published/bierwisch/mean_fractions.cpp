@@ -13,14 +13,18 @@ namespace {
 struct Model {
   const char* name;
   const char* preset;
-  const char* settled;  ///< published figure
+  const char* settled;  ///< published figure; empty: none
   const char* moving;
-  double at_rest, in_motion;  ///< as published, for the chart
+  double at_rest, in_motion;  ///< as published, for the chart; NaN: no value
 };
 
 constexpr Model kModels[] = {{"A initial", "ASC100.29 initial A", "N01", "N02", 0.59, 0.59},
                              {"A1", "ASC100.29 A1", "N03", "N04", 0.48, 0.49},
                              {"A2", "ASC100.29 A2", "N05", "N06", 0.57, 0.58},
+                             {"B initial", "ASC100.29 initial B", "", "", NAN, NAN},
+                             {"B1", "ASC100.29 B1", "", "", NAN, NAN},
+                             {"C initial", "ASC100.29 initial C", "", "", NAN, NAN},
+                             {"C1", "ASC100.29 C1", "", "", NAN, NAN},
                              {"D initial", "ASC100.29 initial D", "N07", "N08", 0.38, 0.38},
                              {"D1", "ASC100.29 D1", "N09", "N10", 0.30, 0.31},
                              {"D2", "ASC100.29 D2", "N11", "N12", 0.32, 0.33}};
@@ -43,11 +47,14 @@ SceneChanges changes_of(const LabSetting& setting, const Model& model) {
   return changes;
 }
 
-/// Of a published model the published figure says what it is.
-LabQuantity fraction_of(bool published, const std::string& id, const std::string& run,
+/// `id`: of the published figure, which says what it is; of the user's own powder its name; empty: none.
+LabQuantity fraction_of(const LabSetting& setting, const std::string& id, const std::string& run,
                         const std::string& snapshot) {
-  return {.id = id,
-          .quantity = published ? "" : "solid fraction of powder in the shoe, " + snapshot,
+  const std::string of = has_own_powder(setting) ? "" : ", " + run;
+  const std::string name = "solid fraction of powder in the shoe, " + snapshot + of;
+  const bool published = !has_own_powder(setting) && !id.empty();
+  return {.id = id.empty() ? name : id,
+          .quantity = published ? "" : name,
           .unit = published ? "" : "1",
           .runs = {run},
           .value = [=](const SeedResults& seed) {
@@ -92,9 +99,8 @@ LabPlan plan_mean_fractions(const LabSetting& setting) {
   LabPlan plan;
   for (const Model& model : models) {
     plan.runs.push_back({model.name, "shoe.toml", changes_of(setting, model)});
-    const bool published = !has_own_powder(setting);
-    plan.quantities.push_back(fraction_of(published, model.settled, model.name, "settled"));
-    plan.quantities.push_back(fraction_of(published, model.moving, model.name, "moving"));
+    plan.quantities.push_back(fraction_of(setting, model.settled, model.name, "settled"));
+    plan.quantities.push_back(fraction_of(setting, model.moving, model.name, "moving"));
   }
   plan.charts = [models](const SeedResults& seed) { return std::vector{mean_fractions_chart(models, seed)}; };
   return plan;

@@ -1,10 +1,11 @@
 // Flow near a slit of 10 mm while the shoe passes (Bierwisch 2009, section 4.1.8, Figs. 4.12 and 4.13): how
-// fast grains go down at ground level, the slow powder behind the slit, and how even the flow is away from
-// it. Means over grains at five instants of the middle half of the passage, at rest with the slit.
+// fast grains go down at ground level, the slow powder behind the slit, and how even speed and solid fraction
+// are away from it. Means over five instants of the middle half of the passage, at rest with the slit.
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "process/laboratory/published/bierwisch/passage_fields.h"
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/results/none.h"
@@ -15,6 +16,8 @@ namespace {
 constexpr double kWidth = 0.010, kInside = 0.032;  // m, slit, shoe
 constexpr double kSlow = 0.18, kFast = 0.4;        // m/s
 constexpr int kInstants = 5;
+constexpr double kSlowBehind = 0.010,
+                 kSlowHigh = 0.004;  // m, box behind the slit in which the slow zone is sought
 
 struct Model {
   const char* name;
@@ -37,7 +40,7 @@ std::string instant_name(int number) {
 
 /// Snapshots while the shoe's middle half is over the slit.
 std::string instants_of(const SlitPassage& passage) {
-  std::string set = "[[snapshot]]\nname = \"settled\"\n";
+  std::string set;
   for (int k = 0; k < kInstants; ++k) {
     const double way = kInside * (-0.25 + 0.5 * k / (kInstants - 1.0));
     set += "[[snapshot]]\nname = \"" + instant_name(k) + "\"\nwhen = { with = \"passage\", delay = \"" +
@@ -48,7 +51,7 @@ std::string instants_of(const SlitPassage& passage) {
 
 /// A grain near the slit: place (m), speed over that of the shoe.
 struct Passing {
-  double x, z, speed, volume;
+  double x, z, speed;
 };
 
 std::vector<Passing> passing_grains(const SeedResults& seed, const std::string& run, double speed) {
@@ -56,8 +59,7 @@ std::vector<Passing> passing_grains(const SeedResults& seed, const std::string& 
   for (int k = 0; k < kInstants; ++k) {
     const auto& powder = seed.at(run, instant_name(k)).powder;
     for (std::size_t n = 0; n < powder.position.size(); ++n)
-      all.push_back({powder.position[n][0], powder.position[n][2], powder.velocity[n].norm() / speed,
-                     powder.grain_solid_volume});
+      all.push_back({powder.position[n][0], powder.position[n][2], powder.velocity[n].norm() / speed});
   }
   return all;
 }
@@ -75,17 +77,39 @@ double outflow_speed(const SeedResults& seed, const std::string& run, double hal
   return count > 0 ? sum / count : kNone;
 }
 
-/// mm^2 of solid in powder slower than 0.6 of the shoe, within two grains above the ground and a slit's width
-/// behind the slit, to where the shoe goes.
+std::vector<std::string> instant_names() {
+  std::vector<std::string> names;
+  for (int k = 0; k < kInstants; ++k) names.push_back(instant_name(k));
+  return names;
+}
+
+/// mm^2, where powder on the ground is slower than 0.6 of the shoe, behind the slit, to where the shoe goes.
 double slow_area(const SeedResults& seed, const std::string& run, double half_width) {
-  constexpr double kSlower = 0.6;
-  const double height = 2 * diameter(seed, run);
-  double volume = 0;
-  for (const Passing& grain : passing_grains(seed, run, kSlow))
-    if (grain.x < -half_width && grain.x > -3 * half_width && grain.z > 0 && grain.z < height &&
-        grain.speed < kSlower)
-      volume += grain.volume;
-  return 1e6 * volume / kInstants / seed.of(run).powder.period[1];
+  constexpr double kSlower = 0.6, kCell = 2.5e-4;  // m
+  const PassageFields fields = passage_fields(seed, run, instant_names(), kSlow);
+  double cells = 0;
+  for (double x = -half_width - 0.5 * kCell; x > -half_width - kSlowBehind; x -= kCell)
+    for (double z = 0.5 * kCell; z < kSlowHigh; z += kCell)
+      cells += fields.speed.at({x, 0, z}) < kSlower ? 1 : 0;  // no powder, no value: NaN
+  return 1e6 * cells * kCell * kCell;
+}
+
+/// Standard deviation of a field among points 2 d apart within the shoe, farther than 1.5 slits from the
+/// slit.
+double unevenness_of(const GaussianField& field, double step, double half_width) {
+  double sum = 0, squares = 0, count = 0;
+  for (double x = -0.25 * kInside; x <= 0.25 * kInside; x += step)
+    for (double z = step; z < 0.024; z += step) {
+      const double value = field.at({x, 0, z});
+      if (std::hypot(x, z) < 3 * half_width || !std::isfinite(value)) continue;
+      sum += value, squares += value * value, ++count;
+    }
+  return count > 1 ? std::sqrt(std::max(0.0, squares / count - sum / count * (sum / count))) : kNone;
+}
+
+double unevenness_of_fraction(const SeedResults& seed, const std::string& run, double half_width) {
+  const PassageFields fields = passage_fields(seed, run, instant_names(), kFast);
+  return unevenness_of(fields.fraction, 2 * diameter(seed, run), half_width);
 }
 
 /// Standard deviation of the speed over that of the shoe among cells of 2 d, farther than 1.5 slits from the
@@ -144,6 +168,32 @@ results::ExperimentSeries outflow_series(const SeedResults& seed, const Model& m
   return series;
 }
 
+/// Speed or solid fraction along the ground, a grain above it, over the distance from the slit's middle.
+results::ExperimentChart ground_chart(const SeedResults& seed, bool of_speed) {
+  constexpr double kReach = 0.020, kStep = 5e-4;  // m
+  results::ExperimentChart chart;
+  chart.name = of_speed ? "ground_speed" : "ground_fraction";
+  chart.title =
+      of_speed ? "Speed of the powder above the plate" : "Solid fraction of the powder above the plate";
+  chart.subtitle =
+      "One grain above the plate, shoe at 0.18 m/s to the left, Gaussian average of five instants";
+  chart.x = {.label = "Distance from the middle of the slit [mm]"};
+  chart.y = {.label = of_speed ? "Speed over that of the shoe [-]" : "Solid fraction over that at rest [-]",
+             .lower = 0};
+  for (const Model& model : kModels) {
+    const std::string run = run_name(model, kSlow);
+    if (!seed.has(run)) continue;
+    const PassageFields fields = passage_fields(seed, run, instant_names(), kSlow);
+    results::ExperimentSeries series{.name = model.name, .x = {}, .y = {}};
+    for (double x = -kReach; x < kReach + 0.5 * kStep; x += kStep) {
+      series.x.push_back(1e3 * x);
+      series.y.push_back((of_speed ? fields.speed : fields.fraction).at({x, 0, diameter(seed, run)}));
+    }
+    chart.series.push_back(series);
+  }
+  return chart;
+}
+
 results::ExperimentChart slit_fields_chart(const LabSetting& setting, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "slit_fields";
@@ -195,7 +245,16 @@ LabPlan plan_slit_fields(const LabSetting& setting) {
   add("L03", kFast, [setting, any](const SeedResults& seed) {
     return mean_over_models(seed, setting, kFast, unevenness, any);
   });
-  plan.charts = [setting](const SeedResults& seed) { return std::vector{slit_fields_chart(setting, seed)}; };
+  plan.quantities.push_back({.id = "scatter of the solid fraction",
+                             .quantity = "scatter of f/f_m over cells of 2 d, beyond 1.5 D",
+                             .unit = "1",
+                             .runs = runs_at(kFast),
+                             .value = [setting, any](const SeedResults& seed) {
+                               return mean_over_models(seed, setting, kFast, unevenness_of_fraction, any);
+                             }});
+  plan.charts = [setting](const SeedResults& seed) {
+    return std::vector{slit_fields_chart(setting, seed), ground_chart(seed, true), ground_chart(seed, false)};
+  };
   return plan;
 }
 

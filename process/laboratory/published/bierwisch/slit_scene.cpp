@@ -91,6 +91,14 @@ double discharged_area(const SeedResults& seed, const std::string& run) {
   return mass / result.powder.grain_mass * result.powder.grain_solid_volume / (fraction * slice_of(result));
 }
 
+double published_grains(const SeedResults& seed, const std::string& run, const LabPowder& powder) {
+  constexpr double kDepth = 2.16e-3;  // m
+  const double fraction = results::figure_of(seed.at(run, "settled"), "bulk_solid_fraction");
+  const double solid =
+      seed.of(run).powder.grain_solid_volume * std::pow(powder.own_size / powder.size, 3);  // m^3, of a grain
+  return discharged_area(seed, run) * fraction * kDepth / solid;
+}
+
 double steady_solid_rate(const SeedResults& seed, const std::string& run, const SlitPassage& passage) {
   constexpr double kLeftOut = 0.3;
   const results::FillResult& result = seed.of(run);

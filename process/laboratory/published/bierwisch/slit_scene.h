@@ -36,6 +36,9 @@ double adjusted_slit(double width, const LabPowder& powder);
 /// (Bierwisch 2009, Eq. 4.2); the fraction is that of the snapshot "settled".
 double discharged_area(const SeedResults& seed, const std::string& run);
 
+/// Grains of the published size through a slice of the published depth (2.16 mm) that fill the same area.
+double published_grains(const SeedResults& seed, const std::string& run, const LabPowder& powder);
+
 /// m^2/s, solid volume through the slit over time and slice depth while the whole slit lies under the powder,
 /// the first 30 % of that time left out (Bierwisch 2009, section 3.2.2). NaN where nothing came through.
 double steady_solid_rate(const SeedResults& seed, const std::string& run, const SlitPassage& passage);

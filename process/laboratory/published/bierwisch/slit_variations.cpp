@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kFills[] = {0.010, 0.019, 0.041};   // m
 constexpr double kSlowShoe = 0.18, kFastShoe = 0.4;  // m/s
+constexpr double kShallowSpeeds[] = {0.18, 0.6};     // m/s, with every depth
 
 struct Model {
   const char* id;
@@ -27,21 +28,25 @@ constexpr Model kModels[] = {{"G01", "A1", "ASC100.29 A1"},
                              {"G04", "D1", "ASC100.29 D1"},
                              {"G05", "D2", "ASC100.29 D2"}};
 
-std::string fill_name(const Model& model, double fill) {
-  return std::string(model.name) + ", " + plain(1e3 * fill) + " mm of powder";
+/// Without a speed at the slow one, whose runs are those of the published figures.
+std::string fill_name(const Model& model, double fill, double speed = kSlowShoe) {
+  const std::string at = speed == kSlowShoe ? "" : ", " + plain(speed) + " m/s";
+  return std::string(model.name) + ", " + plain(1e3 * fill) + " mm of powder" + at;
 }
 
-results::ExperimentChart fill_chart(const std::vector<Model>& models, const SeedResults& seed) {
+results::ExperimentChart fill_chart(const std::vector<Model>& models, double speed, const SeedResults& seed) {
   results::ExperimentChart chart;
-  chart.name = "fill_height";
-  chart.title = "Discharge over the depth of powder in the shoe";
+  chart.name = "fill_height_" + plain(speed) + "_m_per_s";
+  chart.title = "Discharge over the depth of powder in the shoe at " + plain(speed) + " m/s";
   chart.subtitle =
-      "Slit of 6 mm, 0.18 m/s; published: A1 and B1 rise for shallow powder, C1 and D1 do not, D2 at 10 mm";
+      speed == kSlowShoe
+          ? "Slit of 6 mm; published: A1 and B1 rise for shallow powder, C1 and D1 do not, D2 at 10 mm"
+          : "Slit of 6 mm; published: measured discharge does not rise for shallow powder above 0.4 m/s";
   chart.x = {.label = "Depth of the powder [mm]"};
   chart.y = {.label = "Discharged area [mm2]"};
   for (const Model& model : models) {
     std::vector<PointOfRun> points;
-    for (const double fill : kFills) points.push_back({1e3 * fill, fill_name(model, fill)});
+    for (const double fill : kFills) points.push_back({1e3 * fill, fill_name(model, fill, speed)});
     add_run_series(chart, seed, model.name, points,
                    [&](const std::string& run) { return 1e6 * discharged_area(seed, run); });
   }
@@ -52,12 +57,17 @@ std::string packing_name(double speed) {
   return "D2, slit 10 mm, " + plain(speed) + " m/s";
 }
 
-/// The same figure stands once for each published packing.
-void add_packing(const char* ids[], int count, const std::string& run,
-                 const std::function<double(const SeedResults&)>& value, LabPlan& plan) {
-  for (int k = 0; k < count; ++k)
-    plan.quantities.push_back({.id = ids[k], .quantity = "", .unit = "", .runs = {run}, .value = value});
-}
+/// Published figures of the packings at one speed: each stands there once for every packing; empty: no more.
+struct PackingFigures {
+  double speed;  ///< m/s
+  const char* fractions[3];
+  const char* grains[3];
+  const char* areas[3];
+};
+
+constexpr PackingFigures kPackings[] = {
+    {kSlowShoe, {"Q01", "Q04", "Q07"}, {"Q02", "Q05", "Q08"}, {"Q03", "Q06", "Q09"}},
+    {kFastShoe, {"Q10", "Q13", ""}, {"Q11", "Q14", ""}, {"Q12", "Q15", ""}}};
 
 /// G05: share of three statements that hold: the shallowest powder discharges more than the deeper two, by
 /// what packings scatter, and these agree.
@@ -71,14 +81,6 @@ double share_of_d2(const SeedResults& seed, const Model& model) {
          3.0;
 }
 
-/// Grains of the published size through a slice of the published depth (2.16 mm) that fill the same area.
-double published_grains(const SeedResults& seed, const std::string& run) {
-  constexpr double kDepth = 2.16e-3;                                                        // m
-  constexpr double kSolid = 7 * 4.0 / 3 * 3.141592653589793 * 7.84e-5 * 7.84e-5 * 7.84e-5;  // m^3
-  const double fraction = results::figure_of(seed.at(run, "settled"), "bulk_solid_fraction");
-  return discharged_area(seed, run) * fraction * kDepth / kSolid;
-}
-
 /// %, standard deviation of the discharge over its mean.
 double relative_scatter(const std::vector<SeedResults>& seeds, const std::string& run) {
   std::vector<double> areas;
@@ -87,24 +89,34 @@ double relative_scatter(const std::vector<SeedResults>& seeds, const std::string
   return 100 * sample.scatter / sample.mean;
 }
 
-/// The published figure `quantity` of a model, and the ratios of its discharges as rows of their own.
-void add_ratios(const Model& model, LabQuantity quantity, LabPlan& plan) {
-  const auto ratio = [model](double fill, double other) {
-    return [=](const SeedResults& seed) {
-      return discharged_area(seed, fill_name(model, fill)) / discharged_area(seed, fill_name(model, other));
-    };
-  };
-  const std::string id = quantity.id;
-  quantity.value = ratio(kFills[0], kFills[2]);
-  if (id == "G05") quantity.value = [model](const SeedResults& seed) { return share_of_d2(seed, model); };
-  plan.quantities.push_back(quantity);
+/// Discharge from a depth of powder over that from the deepest.
+double rise_of(const SeedResults& seed, const Model& model, double fill, double speed) {
+  return discharged_area(seed, fill_name(model, fill, speed)) /
+         discharged_area(seed, fill_name(model, kFills[2], speed));
+}
+
+/// The runs of a model at one speed, and the ratios of its discharges.
+void add_fills(const LabSetting& setting, const Model& model, double speed, LabPlan& plan) {
+  const LabPowder powder = lab_powder(setting, model.preset, setting.scale());
+  std::vector<std::string> runs;
+  for (const double fill : kFills) {
+    const SlitPassage passage{.width = adjusted_slit(0.006, powder), .speed = speed, .fill = fill};
+    runs.push_back(fill_name(model, fill, speed));
+    plan.runs.push_back({runs.back(), "slit.toml", slit_changes(setting, powder, passage)});
+  }
+  if (speed == kSlowShoe)
+    plan.quantities.push_back(
+        {.id = model.id, .quantity = "", .unit = "", .runs = runs, .value = [=](const SeedResults& seed) {
+           const bool d2 = std::string(model.id) == "G05";
+           return d2 ? share_of_d2(seed, model) : rise_of(seed, model, kFills[0], speed);
+         }});
   for (const double fill : {kFills[0], kFills[1]}) {
-    const std::string name = plain(1e3 * fill) + " mm over 41 mm, " + model.name;
-    plan.quantities.push_back({.id = "discharge, " + name,
-                               .quantity = "discharge, " + name,
-                               .unit = "1",
-                               .runs = quantity.runs,
-                               .value = ratio(fill, kFills[2])});
+    const std::string name = "discharge, " + plain(1e3 * fill) + " mm over 41 mm, " + model.name +
+                             (speed == kSlowShoe ? "" : ", " + plain(speed) + " m/s");
+    plan.quantities.push_back(
+        {.id = name, .quantity = name, .unit = "1", .runs = runs, .value = [=](const SeedResults& seed) {
+           return rise_of(seed, model, fill, speed);
+         }});
   }
 }
 
@@ -126,51 +138,36 @@ LabPlan plan_fill_height(const LabSetting& setting) {
   std::vector<Model> models(std::begin(kModels), std::end(kModels));
   if (has_own_powder(setting)) models = {{"G01", "powder", ""}};
   LabPlan plan;
-  for (const Model& model : models) {
-    const LabPowder powder = lab_powder(setting, model.preset, setting.scale());
-    LabQuantity quantity{.id = model.id, .quantity = "", .unit = "", .runs = {}, .value = {}};
-    for (const double fill : kFills) {
-      const SlitPassage passage{.width = adjusted_slit(0.006, powder), .speed = kSlowShoe, .fill = fill};
-      plan.runs.push_back({fill_name(model, fill), "slit.toml", slit_changes(setting, powder, passage)});
-      quantity.runs.push_back(plan.runs.back().name);
-    }
-    add_ratios(model, quantity, plan);
-  }
-  plan.charts = [models](const SeedResults& seed) { return std::vector{fill_chart(models, seed)}; };
+  for (const Model& model : models)
+    for (const double speed : kShallowSpeeds) add_fills(setting, model, speed, plan);
+  plan.charts = [models](const SeedResults& seed) {
+    std::vector<results::ExperimentChart> charts;
+    for (const double speed : kShallowSpeeds) charts.push_back(fill_chart(models, speed, seed));
+    return charts;
+  };
   return plan;
 }
 
 LabPlan plan_packing_scatter(const LabSetting& setting) {
+  using Value = std::function<double(const SeedResults&)>;
   LabPlan plan;
   const LabPowder powder = lab_powder(setting, "ASC100.29 D2", setting.scale());
-  for (const double speed : {kSlowShoe, kFastShoe}) {
-    const SlitPassage passage{.width = adjusted_slit(0.010, powder), .speed = speed};
-    plan.runs.push_back({packing_name(speed), "slit.toml", slit_changes(setting, powder, passage)});
-  }
-  const auto fraction_of = [](const std::string& run) {
-    return [run](const SeedResults& seed) {
-      return results::figure_of(seed.at(run, "settled"), "bulk_solid_fraction");
+  for (const PackingFigures& one : kPackings) {
+    const std::string run = packing_name(one.speed);
+    const SlitPassage passage{.width = adjusted_slit(0.010, powder), .speed = one.speed};
+    plan.runs.push_back({run, "slit.toml", slit_changes(setting, powder, passage)});
+    const auto add = [&](const char* const(&ids)[3], const Value& value) {
+      for (const char* id : ids)
+        if (*id != '\0')
+          plan.quantities.push_back({.id = id, .quantity = "", .unit = "", .runs = {run}, .value = value});
     };
-  };
-  const auto grains_of = [](const std::string& run) {
-    return [run](const SeedResults& seed) { return published_grains(seed, run); };
-  };
-  const auto area_of = [](const std::string& run) {
-    return [run](const SeedResults& seed) { return 1e6 * discharged_area(seed, run); };
-  };
-  const std::string slow = packing_name(kSlowShoe), fast = packing_name(kFastShoe);
-  const char* slow_fractions[] = {"Q01", "Q04", "Q07"};
-  const char* slow_grains[] = {"Q02", "Q05", "Q08"};
-  const char* slow_areas[] = {"Q03", "Q06", "Q09"};
-  const char* fast_fractions[] = {"Q10", "Q13"};
-  const char* fast_grains[] = {"Q11", "Q14"};
-  const char* fast_areas[] = {"Q12", "Q15"};
-  add_packing(slow_fractions, 3, slow, fraction_of(slow), plan);
-  add_packing(slow_grains, 3, slow, grains_of(slow), plan);
-  add_packing(slow_areas, 3, slow, area_of(slow), plan);
-  add_packing(fast_fractions, 2, fast, fraction_of(fast), plan);
-  add_packing(fast_grains, 2, fast, grains_of(fast), plan);
-  add_packing(fast_areas, 2, fast, area_of(fast), plan);
+    add(one.fractions, [run](const SeedResults& seed) {
+      return results::figure_of(seed.at(run, "settled"), "bulk_solid_fraction");
+    });
+    add(one.grains, [=](const SeedResults& seed) { return published_grains(seed, run, powder); });
+    add(one.areas, [run](const SeedResults& seed) { return 1e6 * discharged_area(seed, run); });
+  }
+  const std::string slow = packing_name(kSlowShoe);
   plan.quantities.push_back({.id = "Q16",
                              .quantity = "",
                              .unit = "",

@@ -1,175 +1,147 @@
-// Effective friction of walls of spheres (Bierwisch 2009, section 4.2.4): a frame full of powder D2 under a
-// lid is dragged over a plate; force along the motion over force across, of the powder on the plate, over the
-// friction coefficient mu_w and the distance of the wall spheres. The source drives lid and blade over a
-// period; here the frame's rear wall drives the powder, as a plate with periods cannot move. And what the
-// wall changes in the discharge of the moving shoe (Table 4.10, whose values are not in the tree). The
-// plate's spheres are enlarged with the grains.
+// Effective friction of walls of spheres (Bierwisch 2009, section 4.2.4): powder D2 under a lid with a blade
+// on a plate, periodic in x and y; force along the plate over the force across it, over the friction
+// coefficient mu_w and the distance of the wall spheres. Seen from the lid: the plate moves. Force across is
+// that on the plate, powder included; that which the lid is pressed with alone is a row of its own. Load and
+// speed are 1 kPa and 0.5 m/s but for two runs. Coarse and medium: d = 0.94 mm, plate spheres twice as large;
+// published: 0.47 mm.
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "process/laboratory/published/bierwisch/slit_scene.h"
+#include "process/laboratory/published/bierwisch/wall_shear.h"
 #include "process/laboratory/published/dosta/bulk_curves.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/run_series.h"
-#include "process/results/figure_table.h"
-#include "process/results/none.h"
 
 namespace diefill::process::laboratory {
 namespace {
 
 constexpr const char* kPreset = "ASC100.29 D2";
 constexpr double kSpacings[] = {0.4, 0.8, 1.6};     // over R_w
-constexpr double kFrictions[] = {0.05, 0.25, 0.5};  // mu_w
-constexpr double kWallRadius = 1.5e-4;              // m, R_w at the published grain size
-constexpr double kLid = 0.031, kStress = 1000;      // m along the motion, Pa
-constexpr double kSpeed = 0.2, kLeftOut = 0.4;      // m/s; of the way, before forces are looked at
-constexpr double kWay = 0.040;                      // m
+constexpr double kFrictions[] = {0.01, 0.25, 0.5};  // mu_w
 
-std::string name_of(double friction, double spacing) {
-  return "mu_w = " + plain(friction) + ", spacing " + plain(spacing) + " R_w";
+/// One point: a wall and how it is sheared.
+struct Sheared {
+  double friction, spacing;
+  WallShear shear = {};
+};
+
+/// The same wall under the other published load and at the other speed.
+constexpr Sheared kOthers[] = {{0.25, 1.6, {.stress = 5000}}, {0.25, 1.6, {.speed = 0.1}}};
+
+std::string name_of(const Sheared& one) {
+  const WallShear usual;
+  std::string name = "mu_w = " + plain(one.friction) + ", spacing " + plain(one.spacing) + " R_w";
+  if (one.shear.stress != usual.stress) name += ", " + plain(1e-3 * one.shear.stress) + " kPa";
+  if (one.shear.speed != usual.speed) name += ", " + plain(one.shear.speed) + " m/s";
+  return name;
 }
 
-LabRun drag_of(const LabSetting& setting, double friction, double spacing) {
-  const LabPowder powder = lab_powder(setting, kPreset, setting.scale());
-  const double half = 2.3 * powder.size;
-  LabRun run{name_of(friction, spacing), "drag.toml", powder.changes};
-  std::string& set = run.changes.set;
-  set += line("pour.from", point_in_millimetres(0.0041, -half, 0));
-  set += line("pour.to", point_in_millimetres(0.0359, half, 0.044));
-  set += line("tool.plate.sphere_radius", millimetres(kWallRadius * powder.size / powder.own_size));
-  set += line("tool.plate.spacing", plain(spacing));
-  set += line("tool.plate.friction", plain(friction));
-  set += line("step.press.force", with_unit(kStress * kLid * 2 * half, "N"));
-  set += line("numerics.periodic", "{ y = " + millimetres(2 * half) + " }");
-  if (!has_own_powder(setting))
-    set += line("numerics.time_step", with_unit(2 * powder.size / powder.own_size, "us"));
+LabPowder powder_of(const LabSetting& setting) {
+  return lab_powder(setting, kPreset, setting.size == LabSize::published ? 1 : 2);
+}
+
+LabRun shear_run(const LabSetting& setting, const LabPowder& powder, const Sheared& one) {
+  LabRun run{name_of(one), "wall_friction.toml", wall_shear_changes(setting, powder, one.shear)};
+  run.changes.set += line("tool.plate.spacing", plain(one.spacing));
+  run.changes.set += line("tool.plate.friction", plain(one.friction));
+  if (setting.size == LabSize::published) run.changes.set += line("tool.lid.file", "\"lid_4.5mm.stl\"");
   return run;
 }
 
-/// Mean force along the motion over mean force across it, after the first part of the way; NaN without load.
-double effective_friction(const SeedResults& seed, const std::string& run) {
-  const TimeCurve along = probe_curve(seed, run, "plate", "force x"),
-                  across = probe_curve(seed, run, "plate", "force z");
-  const double start = start_of_motion(seed, run, "shoe");
-  double sum_along = 0, sum_across = 0;
-  for (std::size_t k = 0; k < along.time.size(); ++k) {
-    const double way = kSpeed * (along.time[k] - start);
-    if (way < kLeftOut * kWay || way > 0.98 * kWay) continue;
-    sum_along += along.value[k];
-    sum_across += across.value[k];
-  }
-  return sum_across != 0 ? std::abs(sum_along / sum_across) : kNone;
+double friction_at(const SeedResults& seed, const LabPowder& powder, const Sheared& one) {
+  return effective_friction(seed, name_of(one), powder, one.shear);
 }
 
-double slope_over_friction(const SeedResults& seed, double spacing) {
+double friction_by_imposed_load(const SeedResults& seed, const LabPowder& powder, const Sheared& one) {
+  return wall_forces(seed, name_of(one), powder, one.shear).along / imposed_load(powder, one.shear);
+}
+
+double slope_over_friction(const SeedResults& seed, const LabPowder& powder, double spacing) {
   TimeCurve line;
   for (const double friction : kFrictions) {
     line.time.push_back(friction);
-    line.value.push_back(effective_friction(seed, name_of(friction, spacing)));
+    line.value.push_back(friction_at(seed, powder, {friction, spacing}));
   }
   return slope_of(line, 0, 1);
 }
 
-double mean_over_friction(const SeedResults& seed, double spacing) {
+double mean_over_friction(const SeedResults& seed, const LabPowder& powder, double spacing) {
   double sum = 0;
-  for (const double friction : kFrictions) sum += effective_friction(seed, name_of(friction, spacing));
+  for (const double friction : kFrictions) sum += friction_at(seed, powder, {friction, spacing});
   return sum / static_cast<double>(std::size(kFrictions));
 }
 
-results::ExperimentChart wall_friction_chart(const SeedResults& seed) {
+double mean_slope(const SeedResults& seed, const LabPowder& powder) {
+  double sum = 0;
+  for (const double spacing : kSpacings) sum += slope_over_friction(seed, powder, spacing);
+  return sum / static_cast<double>(std::size(kSpacings));
+}
+
+double smallest_rise(const SeedResults& seed, const LabPowder& powder) {
+  const auto mean = [&](std::size_t k) { return mean_over_friction(seed, powder, kSpacings[k]); };
+  return std::min(mean(1) - mean(0), mean(2) - mean(1));
+}
+
+results::ExperimentChart wall_friction_chart(const LabPowder& powder, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "wall_friction";
   chart.title = "Effective friction of walls of spheres";
   chart.subtitle =
-      "Powder D2 under 1 kPa; published: slope of about 1, offset grows with the distance of spheres";
+      "Powder D2 under 1 kPa, 0.5 m/s; published: slope of about 1, offset grows with the distance of "
+      "spheres";
   chart.x = {.label = "Friction coefficient mu_w [1]", .lower = 0};
   chart.y = {.label = "Effective friction [1]", .lower = 0};
   for (const double spacing : kSpacings) {
     std::vector<PointOfRun> points;
-    for (const double friction : kFrictions) points.push_back({friction, name_of(friction, spacing)});
+    std::map<std::string, Sheared> walls;
+    for (const double friction : kFrictions) {
+      points.push_back({friction, name_of({friction, spacing})});
+      walls[points.back().run] = {friction, spacing};
+    }
     add_run_series(chart, seed, "spacing " + plain(spacing) + " R_w", points,
-                   [&](const std::string& run) { return effective_friction(seed, run); });
+                   [&](const std::string& run) { return friction_at(seed, powder, walls.at(run)); });
   }
   return chart;
 }
 
-/// Discharge through a slit of 10 mm at 0.18 m/s over walls of this friction and spacing.
-LabRun discharge_of(const LabSetting& setting, double friction, double spacing) {
-  const LabPowder powder = lab_powder(setting, kPreset, setting.scale());
-  const SlitPassage passage{.width = adjusted_slit(0.010, powder), .speed = 0.18};
-  LabRun run{name_of(friction, spacing), "slit.toml", slit_changes(setting, powder, passage)};
-  run.changes.set += line("walls.sphere_radius", millimetres(kWallRadius * powder.size / powder.own_size));
-  run.changes.set += line("walls.spacing", plain(spacing));
-  run.changes.set += line("walls.friction", plain(friction));
-  return run;
-}
-
-results::ExperimentChart wall_discharge_chart(const std::map<double, std::vector<PointOfRun>>& by_spacing,
-                                              const SeedResults& seed) {
-  results::ExperimentChart chart;
-  chart.name = "wall_discharge";
-  chart.title = "Discharge over the friction of walls made of spheres";
-  chart.subtitle = "By the spacing of the wall spheres; published: no effect";
-  chart.x = {.label = "Friction of the walls [-]", .lower = 0};
-  chart.y = {.label = "Discharged area [mm2]", .lower = 0};
-  for (const auto& [spacing, runs] : by_spacing)
-    add_run_series(chart, seed, "spacing " + plain(spacing) + " R_w", runs,
-                   [&](const std::string& run) { return 1e6 * discharged_area(seed, run); });
-  return chart;
+/// The run and both of its frictions as rows.
+void add_point(const LabSetting& setting, const LabPowder& powder, const Sheared& one, LabPlan& plan) {
+  plan.runs.push_back(shear_run(setting, powder, one));
+  const std::string run = plan.runs.back().name;
+  const auto add = [&](const std::string& what,
+                       double (*value)(const SeedResults&, const LabPowder&, const Sheared&)) {
+    plan.quantities.push_back({.id = what + ", " + run,
+                               .quantity = what + ", " + run,
+                               .unit = "1",
+                               .runs = {run},
+                               .value = [=](const SeedResults& seed) { return value(seed, powder, one); }});
+  };
+  add("effective friction", friction_at);
+  add("effective friction by the imposed load", friction_by_imposed_load);
 }
 
 }  // namespace
 
 LabPlan plan_wall_friction(const LabSetting& setting) {
+  const LabPowder powder = powder_of(setting);
   LabPlan plan;
   std::vector<std::string> all;
   for (const double spacing : kSpacings)
     for (const double friction : kFrictions) {
-      plan.runs.push_back(drag_of(setting, friction, spacing));
+      add_point(setting, powder, {friction, spacing}, plan);
       all.push_back(plan.runs.back().name);
     }
-  plan.quantities.push_back(
-      {.id = "W01", .quantity = "", .unit = "", .runs = all, .value = [](const SeedResults& seed) {
-         double sum = 0;
-         for (const double spacing : kSpacings) sum += slope_over_friction(seed, spacing);
-         return sum / static_cast<double>(std::size(kSpacings));
-       }});
-  plan.quantities.push_back(
-      {.id = "W02", .quantity = "", .unit = "", .runs = all, .value = [](const SeedResults& seed) {
-         const double near = mean_over_friction(seed, 0.4), middle = mean_over_friction(seed, 0.8),
-                      far = mean_over_friction(seed, 1.6);
-         return std::min(middle - near, far - middle);
-       }});
-  for (const std::string& run : all)
+  for (const Sheared& one : kOthers) add_point(setting, powder, one, plan);
+  const auto add = [&](const char* id, double (*value)(const SeedResults&, const LabPowder&)) {
     plan.quantities.push_back(
-        {.id = "effective friction, " + run,
-         .quantity = "effective friction, " + run,
-         .unit = "1",
-         .runs = {run},
-         .value = [run](const SeedResults& seed) { return effective_friction(seed, run); }});
-  plan.charts = [](const SeedResults& seed) { return std::vector{wall_friction_chart(seed)}; };
-  return plan;
-}
-
-LabPlan plan_wall_discharge(const LabSetting& setting) {
-  LabPlan plan;
-  std::map<double, std::vector<PointOfRun>> by_spacing;
-  for (const auto& [friction, spacing] : {std::pair(0.15, 0.4), std::pair(0.15, 0.8), std::pair(0.05, 1.6),
-                                          std::pair(0.15, 1.6), std::pair(0.25, 1.6)}) {
-    plan.runs.push_back(discharge_of(setting, friction, spacing));
-    const std::string run = plan.runs.back().name;
-    by_spacing[spacing].push_back({friction, run});
-    plan.quantities.push_back(
-        {.id = "discharged area, " + run,
-         .quantity = "discharged area, " + run,
-         .unit = "mm^2",
-         .runs = {run},
-         .value = [run](const SeedResults& seed) { return 1e6 * discharged_area(seed, run); }});
-  }
-  plan.charts = [by_spacing](const SeedResults& seed) {
-    return std::vector{wall_discharge_chart(by_spacing, seed)};
+        {.id = id, .quantity = "", .unit = "", .runs = all, .value = [=](const SeedResults& seed) {
+           return value(seed, powder);
+         }});
   };
+  add("W01", mean_slope);
+  add("W02", smallest_rise);
+  plan.charts = [powder](const SeedResults& seed) { return std::vector{wall_friction_chart(powder, seed)}; };
   return plan;
 }
 

@@ -60,7 +60,7 @@ results::ExperimentChart bed_variants_chart(const SeedResults& seed) {
   chart.y = {.label = "Bulk density [kg/m3]"};
   for (const Change& change : changes()) {
     if (!seed.has(change.name)) continue;
-    const BedFigures figures = figures_of(seed, change.name, kLow, kHigh);
+    const InsertedBedFigures figures = figures_of(seed, change.name, kLow, kHigh);
     chart.series.push_back(
         {.name = change.name, .role = Role::points, .x = {figures.contacts}, .y = {figures.density}});
   }
@@ -74,9 +74,9 @@ LabPlan plan_bed_variants(const LabSetting& setting) {
   for (const Change& change : changes()) {
     plan.runs.push_back(run_of(bed_of(change, setting.size)));
     for (const auto& [what, unit, figure] :
-         {std::tuple("density", "kg/m^3", &BedFigures::density),
-          std::tuple("contacts", "1", &BedFigures::contacts),
-          std::tuple("kinetic energy over m g d", "1", &BedFigures::kinetic)})
+         {std::tuple("density", "kg/m^3", &InsertedBedFigures::density),
+          std::tuple("contacts", "1", &InsertedBedFigures::contacts),
+          std::tuple("kinetic energy over m g d", "1", &InsertedBedFigures::kinetic)})
       plan.quantities.push_back(own_figure(change.name, what, unit, kLow, kHigh, figure));
   }
   plan.charts = [](const SeedResults& seed) { return std::vector{bed_variants_chart(seed)}; };

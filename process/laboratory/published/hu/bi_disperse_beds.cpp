@@ -121,8 +121,10 @@ LabPlan plan_bi_disperse_beds(const LabSetting& setting) {
   add(kAlone, alone);
   add_quantities(sizes, plan);
   for (const LabRun& run : plan.runs) {
-    plan.quantities.push_back(own_figure(run.name, "density", "kg/m^3", kLow, kHigh, &BedFigures::density));
-    plan.quantities.push_back(own_figure(run.name, "contacts", "1", kLow, kHigh, &BedFigures::contacts));
+    plan.quantities.push_back(
+        own_figure(run.name, "density", "kg/m^3", kLow, kHigh, &InsertedBedFigures::density));
+    plan.quantities.push_back(
+        own_figure(run.name, "contacts", "1", kLow, kHigh, &InsertedBedFigures::contacts));
   }
   plan.charts = [sizes](const SeedResults& seed) { return std::vector{bi_disperse_beds_chart(sizes, seed)}; };
   return plan;

@@ -49,14 +49,14 @@ LabRun run_of(const InsertedBed& bed) {
   return run;
 }
 
-BedFigures figures_of(const SeedResults& seed, const std::string& run, double from, double to) {
+InsertedBedFigures figures_of(const SeedResults& seed, const std::string& run, double from, double to) {
   const results::PowderState& powder = seed.at(run, kBed).powder;
   return {kCohesiveDensity * fraction_between(powder, from, to), contacts_between(powder, from, to),
           top_of(powder), kinetic_energy_over_weight(powder)};
 }
 
 LabQuantity own_figure(const std::string& run, const std::string& what, const std::string& unit, double from,
-                       double to, double BedFigures::*figure) {
+                       double to, double InsertedBedFigures::*figure) {
   return {.id = what + ", " + run,
           .quantity = what + ", " + run,
           .unit = unit,

@@ -30,18 +30,18 @@ struct InsertedBed {
 LabRun run_of(const InsertedBed& bed);
 
 /// What is measured between two heights.
-struct BedFigures {
+struct InsertedBedFigures {
   double density = 0;   ///< kg/m^3
   double contacts = 0;  ///< of a sphere
   double height = 0;    ///< m, of the whole bed
   double kinetic = 0;   ///< mean kinetic energy of a sphere over m g d
 };
 
-BedFigures figures_of(const SeedResults& seed, const std::string& run, double from, double to);
+InsertedBedFigures figures_of(const SeedResults& seed, const std::string& run, double from, double to);
 
 /// A row for a figure of one bed without a published value.
 LabQuantity own_figure(const std::string& run, const std::string& what, const std::string& unit, double from,
-                       double to, double BedFigures::*figure);
+                       double to, double InsertedBedFigures::*figure);
 
 /// %, by which `value` differs from `reference`, without its sign.
 double percent_apart(double value, double reference);

@@ -93,7 +93,7 @@ std::vector<Case> cases_of(LabSize size) {
   return cases;
 }
 
-BedFigures figures(const SeedResults& seed, const Case& one) {
+InsertedBedFigures figures(const SeedResults& seed, const Case& one) {
   return figures_of(seed, name_of(one), kLow, kHigh);
 }
 
@@ -109,7 +109,7 @@ double share_of_steps(const SeedResults& seed, const std::vector<Case>& cases) {
   double right = 0, all = 0;
   for (std::size_t k = 1; k < cases.size(); ++k) {
     if (cases[k].variation <= cases[k - 1].variation) continue;
-    const BedFigures before = figures(seed, cases[k - 1]), after = figures(seed, cases[k]);
+    const InsertedBedFigures before = figures(seed, cases[k - 1]), after = figures(seed, cases[k]);
     right += (after.density > before.density ? 0.5 : 0) + (after.contacts < before.contacts ? 0.5 : 0);
     ++all;
   }
@@ -121,8 +121,8 @@ double loosened_by_attraction(const SeedResults& seed, LabSize size) {
   const auto widths = variations(size, kWeak);
   double right = 0;
   for (const double variation : widths) {
-    const BedFigures strong = figures(seed, {variation, kStrong, finest(size)}),
-                     weak = figures(seed, {variation, kWeak, finest(size)});
+    const InsertedBedFigures strong = figures(seed, {variation, kStrong, finest(size)}),
+                             weak = figures(seed, {variation, kWeak, finest(size)});
     right += (strong.density < weak.density ? 0.5 : 0) + (strong.contacts < weak.contacts ? 0.5 : 0);
   }
   return right / static_cast<double>(widths.size());
@@ -130,20 +130,20 @@ double loosened_by_attraction(const SeedResults& seed, LabSize size) {
 
 void add_values(LabSize size, LabPlan& plan) {
   const double l = finest(size);
-  const auto add = [&](const char* id, const Case& one, double BedFigures::*figure) {
+  const auto add = [&](const char* id, const Case& one, double InsertedBedFigures::*figure) {
     plan.quantities.push_back(
         quantity(id, "", {one}, [=](const SeedResults& seed) { return figures(seed, one).*figure; }));
   };
-  add("LN-02-rho-0", {0, kStrong, l}, &BedFigures::density);
-  add("LN-02-rho-80", {0.8, kStrong, l}, &BedFigures::density);
-  add("LN-02-z-0", {0, kStrong, l}, &BedFigures::contacts);
-  add("LN-02-z-80", {0.8, kStrong, l}, &BedFigures::contacts);
+  add("LN-02-rho-0", {0, kStrong, l}, &InsertedBedFigures::density);
+  add("LN-02-rho-80", {0.8, kStrong, l}, &InsertedBedFigures::density);
+  add("LN-02-z-0", {0, kStrong, l}, &InsertedBedFigures::contacts);
+  add("LN-02-z-80", {0.8, kStrong, l}, &InsertedBedFigures::contacts);
 }
 
 void add_scaling(LabSize size, LabPlan& plan) {
   const Case one{0, kStrong, 2}, other{0, kStrong, 4}, weak_one{0, kWeak, 2}, weak_other{0, kWeak, 4};
   plan.quantities.push_back(quantity("LN-02-M1", "", {one, other}, [=](const SeedResults& seed) {
-    const BedFigures fine = figures(seed, one), coarse = figures(seed, other);
+    const InsertedBedFigures fine = figures(seed, one), coarse = figures(seed, other);
     return std::max(percent_apart(coarse.density, fine.density),
                     std::abs(coarse.contacts - fine.contacts) / 0.08);
   }));
@@ -182,7 +182,7 @@ results::ExperimentChart log_normal_beds_chart(LabSize size, const SeedResults& 
       points.push_back({variation, name_of({variation, energy, finest(size)})});
     add_run_series(chart, seed, plain(energy) + " J/m2, l = " + plain(finest(size)), points,
                    [&](const std::string& run) {
-                     const BedFigures bed = figures_of(seed, run, kLow, kHigh);
+                     const InsertedBedFigures bed = figures_of(seed, run, kLow, kHigh);
                      return contacts ? bed.contacts : bed.density;
                    });
   }
@@ -229,9 +229,10 @@ LabPlan plan_log_normal_scaling(const LabSetting& setting) {
     plan.runs.push_back(run_of(bed));
     points.push_back({l, plan.runs.back().name});
     plan.runs.back().changes.set += line("numerics.time_step_fraction", plain(kStepCompared));
-    plan.quantities.push_back(own_figure(name_of(one), "contacts", "1", kLow, kHigh, &BedFigures::contacts));
     plan.quantities.push_back(
-        own_figure(name_of(one), "kinetic energy over m g d", "1", kLow, kHigh, &BedFigures::kinetic));
+        own_figure(name_of(one), "contacts", "1", kLow, kHigh, &InsertedBedFigures::contacts));
+    plan.quantities.push_back(own_figure(name_of(one), "kinetic energy over m g d", "1", kLow, kHigh,
+                                         &InsertedBedFigures::kinetic));
   }
   plan.quantities.push_back(coarse ? contacts_apart("LN-002-M1z2", 8, 4)
                                    : contacts_apart("LN-002-M1z2", 2, 1));
@@ -252,8 +253,9 @@ LabPlan plan_log_normal_beds(const LabSetting& setting) {
   add_trends(size, plan);
   for (const Case& one : cases_of(size)) {
     plan.quantities.push_back(
-        own_figure(name_of(one), "density", "kg/m^3", kLow, kHigh, &BedFigures::density));
-    plan.quantities.push_back(own_figure(name_of(one), "contacts", "1", kLow, kHigh, &BedFigures::contacts));
+        own_figure(name_of(one), "density", "kg/m^3", kLow, kHigh, &InsertedBedFigures::density));
+    plan.quantities.push_back(
+        own_figure(name_of(one), "contacts", "1", kLow, kHigh, &InsertedBedFigures::contacts));
   }
   plan.charts = [size](const SeedResults& seed) {
     return std::vector{log_normal_beds_chart(size, seed, false), log_normal_beds_chart(size, seed, true)};

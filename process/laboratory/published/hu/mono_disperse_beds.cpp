@@ -74,8 +74,8 @@ LabQuantity quantity(const std::string& id, const std::string& label, const std:
 double loosening(const SeedResults& seed, const std::vector<Case>& cases) {
   double fallen = 0;
   for (std::size_t k = 1; k < cases.size(); ++k) {
-    const BedFigures before = figures_of(seed, name_of(cases[k - 1]), kLow, kHigh),
-                     after = figures_of(seed, name_of(cases[k]), kLow, kHigh);
+    const InsertedBedFigures before = figures_of(seed, name_of(cases[k - 1]), kLow, kHigh),
+                             after = figures_of(seed, name_of(cases[k]), kLow, kHigh);
     fallen += after.contacts < before.contacts && after.height > before.height ? 1 : 0;
   }
   return fallen / static_cast<double>(cases.size() - 1);
@@ -98,7 +98,7 @@ results::ExperimentChart mono_disperse_beds_chart(const std::vector<Case>& cases
     auto series = std::find_if(chart.series.begin(), chart.series.end(),
                                [&](const auto& known) { return known.name == name; });
     if (series == chart.series.end()) series = chart.series.insert(series, {.name = name, .x = {}, .y = {}});
-    const BedFigures figures = figures_of(seed, name_of(one), kLow, kHigh);
+    const InsertedBedFigures figures = figures_of(seed, name_of(one), kLow, kHigh);
     series->x.push_back(one.friction);
     series->y.push_back(contacts ? figures.contacts : figures.density);
   }
@@ -184,10 +184,11 @@ LabPlan plan_mono_disperse_beds(const LabSetting& setting) {
   add_scaling(sizes, plan);
   for (const Case& one : cases) {
     plan.quantities.push_back(
-        own_figure(name_of(one), "density", "kg/m^3", kLow, kHigh, &BedFigures::density));
-    plan.quantities.push_back(own_figure(name_of(one), "contacts", "1", kLow, kHigh, &BedFigures::contacts));
+        own_figure(name_of(one), "density", "kg/m^3", kLow, kHigh, &InsertedBedFigures::density));
     plan.quantities.push_back(
-        own_figure(name_of(one), "kinetic energy over m g d", "1", kLow, kHigh, &BedFigures::kinetic));
+        own_figure(name_of(one), "contacts", "1", kLow, kHigh, &InsertedBedFigures::contacts));
+    plan.quantities.push_back(own_figure(name_of(one), "kinetic energy over m g d", "1", kLow, kHigh,
+                                         &InsertedBedFigures::kinetic));
   }
   plan.charts = [cases](const SeedResults& seed) {
     return std::vector{mono_disperse_beds_chart(cases, seed, false),

@@ -68,6 +68,18 @@ TEST(ChartsOverSeeds, CyclesThatPassAPlaceTwiceAreNotAveraged) {
   EXPECT_EQ(charts[0].subtitle, "Model D; curves of the first of 2 seeds");
 }
 
+TEST(ChartsOverSeeds, ChartsOfEventsAreThoseOfTheFirstSeedEvenAtCommonPlaces) {
+  auto first = chart_with({curve({1, 2}, {4, 10})});
+  first.first_seed_only = true;
+  auto second = chart_with({curve({1, 2}, {6, 11})});
+  second.first_seed_only = true;
+  const auto charts = charts_over_seeds({{first}, {second}});
+  ASSERT_EQ(charts.size(), 1U);
+  EXPECT_EQ(charts[0].series[0].y, (std::vector<double>{4, 10}));
+  EXPECT_TRUE(charts[0].series[0].y_scatter.empty());
+  EXPECT_EQ(charts[0].subtitle, "Model D; first of 2 seeds");
+}
+
 TEST(ChartsOverSeeds, PointsOfAllSeedsAreDrawn) {
   const auto charts = charts_over_seeds({{chart_with({curve({1, 2}, {4, 10}, Role::points)})},
                                          {chart_with({curve({1, 2}, {6, 11}, Role::points)})}});
