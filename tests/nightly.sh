@@ -1,5 +1,5 @@
 #!/bin/sh
-# What takes too long for every landing, one part after another; prints one table of parts, results and minutes. A part
+# What takes too long for every change, one part after another; prints one table of parts, results and minutes. A part
 # that fails does not stop the others. Logs: out/nightly/<part>.log.
 #   sh tests/nightly.sh            all parts
 #   sh tests/nightly.sh asan slow  some of them:

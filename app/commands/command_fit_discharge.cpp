@@ -32,16 +32,19 @@ struct FitArguments {
   bool json = false;
 };
 
+std::vector<std::string> law_names() {
+  std::vector<std::string> names = {"4.1"};
+  for (const DischargeLaw law : continuum::discharge_laws()) names.push_back(continuum::name_of(law));
+  return names;
+}
+
 /// The law of that name; of none, the one that the table is for. Throws process::SceneError.
 DischargeLaw wanted_law(const FitArguments& arguments) {
   if (arguments.law.empty()) return continuum::law_for_table(arguments.file);
   const std::string name = arguments.law == "4.1" ? "5.17" : arguments.law;  // one formula, two numbers
-  std::vector<std::string> names = {"4.1"};
-  for (const DischargeLaw law : continuum::discharge_laws()) {
+  for (const DischargeLaw law : continuum::discharge_laws())
     if (name == continuum::name_of(law)) return law;
-    names.push_back(continuum::name_of(law));
-  }
-  throw process::SceneError("--law: " + unknown_name(arguments.law, names));
+  throw process::SceneError("--law: " + unknown_name(arguments.law, law_names()));
 }
 
 std::optional<double> quantity(const char* option, const std::string& text, process::Dimension dimension) {
@@ -111,9 +114,8 @@ void add_fit_discharge(CLI::App& program, Action& chosen) {
       program.add_subcommand("fit-discharge", "Fit a discharge law to measured masses, with uncertainty");
   auto arguments = std::make_shared<FitArguments>();
   command->add_option("FILE", arguments->file, "CSV file, units in its heading")->required();
-  command->add_option(
-      "--law", arguments->law,
-      "5.17 (or 4.1), 5.18, transient, beverloo-round or beverloo-slit (default: by the columns)");
+  command->add_option("--law", arguments->law, "law to fit; 4.1 and 5.17 are one (default: by the columns)")
+      ->check(one_of(law_names()));
   command->add_option("--density", arguments->density, "apparent density, such as '3.0 g/cm^3'");
   command->add_option("--width", arguments->width, "slit width along the shoe's travel, such as '6 mm'");
   command->add_option("--length", arguments->length, "slit length across the shoe's travel, such as '33 mm'");

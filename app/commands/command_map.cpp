@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <stdexcept>
 #include <tuple>
 
@@ -10,6 +9,7 @@
 #include "app/commands/shared_options/measured_region.h"
 #include "app/commands/shared_options/view_options.h"
 #include "app/exit_code.h"
+#include "app/options/choices.h"
 #include "app/options/numbers.h"
 #include "app/options/quantities.h"
 #include "app/options/results_directories.h"
@@ -237,8 +237,6 @@ void require_one_result(const MapArguments& arguments) {
 int map(MapArguments arguments) {
   require_one_result(arguments);
   choose_probe_chart(arguments);
-  for (const auto& name : arguments.pictures)
-    picture_kind(name);  // reports a wrong name before anything is read
   require_averages(arguments);
   require_in_use(arguments.given, {arguments.pictures, !arguments.measured.empty(), arguments.time_average});
   const auto measured = process::read_measured_files(arguments.measured);
@@ -326,8 +324,10 @@ void add_map(CLI::App& program, Action& chosen) {
   auto arguments = std::make_shared<MapArguments>();
   command->add_option("DIR", arguments->directories, "results directories of runs; several share one scale")
       ->required();
-  command->add_option("--picture", arguments->pictures,
-                      "kinds of picture, see below (default: those of a run)");
+  command
+      ->add_option("--picture", arguments->pictures, "kinds of picture, see below (default: those of a run)")
+      ->check(one_of(picture_kind_names()))
+      ->option_text("TEXT ...");
   command
       ->add_option("--measured", arguments->measured,
                    "CSV of a measured profile or map: draw it beside the result, with difference and "

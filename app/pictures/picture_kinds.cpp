@@ -59,13 +59,16 @@ const std::vector<PictureKind>& picture_kinds() {
   return kinds;
 }
 
-const PictureKind& picture_kind(const std::string& name) {
+std::vector<std::string> picture_kind_names() {
   std::vector<std::string> names;
-  for (const auto& kind : picture_kinds()) {
+  for (const auto& kind : picture_kinds()) names.emplace_back(kind.name);
+  return names;
+}
+
+const PictureKind& picture_kind(const std::string& name) {
+  for (const auto& kind : picture_kinds())
     if (kind.name == name) return kind;
-    names.emplace_back(kind.name);
-  }
-  throw process::SceneError("--picture: " + unknown_name(name, names));
+  throw process::SceneError("--picture: " + unknown_name(name, picture_kind_names()));
 }
 
 }  // namespace diefill::app

@@ -60,6 +60,7 @@ struct PictureKind {
 
 /// All kinds. To add one: README.md of this folder.
 const std::vector<PictureKind>& picture_kinds();
+std::vector<std::string> picture_kind_names();
 
 /// The kind of this name. Throws process::SceneError, naming the nearest, for any other.
 const PictureKind& picture_kind(const std::string& name);

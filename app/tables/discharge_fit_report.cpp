@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 namespace continuum = process::continuum;
 
 /// Deviation over value from which on a number says little.
-constexpr double kVague = 0.5;
+constexpr double kLargestRelativeDeviation = 0.5;
 /// chi^2 per degree of freedom from which on errors do not explain the scatter.
 constexpr double kMisfit = 4;
 
@@ -115,7 +115,7 @@ std::vector<std::string> remarks(const continuum::DischargeFit& fit) {
         "; the fit holds where it was measured and not beyond");
   for (std::size_t k = 0; k < fit.names.size(); ++k)
     if (const double share = deviation(fit, k) / std::abs(fit.fit.numbers[static_cast<Eigen::Index>(k)]);
-        share > kVague)
+        share > kLargestRelativeDeviation)
       lines.push_back(
           fit.names[k] +
           (share > 1 ? " is not determined by these data"

@@ -36,7 +36,7 @@ double largest_over_mean(const Scene& scene) {
   return largest_grain(scene) / scene.powder.grain_diameter;
 }
 
-/// Grains must fit between periods and into the pour box (process/scene/plausibility).
+/// Grains must fit between periods and into the pour box (process/scene/reading/plausibility).
 void bound_by_box(const Scene& scene, std::vector<Bound>& bounds) {
   const double grains_across = 4 * largest_over_mean(scene);
   for (std::size_t axis = 0; axis < 2; ++axis) {

@@ -10,7 +10,7 @@
 namespace diefill::results {
 namespace {
 
-constexpr bool kCompared = true, kNot = false;
+constexpr bool kCompared = true, kNotCompared = false;
 constexpr int kDigits = 4;
 constexpr ShownAs kNumber{"1", 1, kDigits}, kRatio{"1", 1, 3}, kPercent{"%", 100, 2},
     kGrams{"g", 1e3, kDigits}, kSeconds{"s", 1, kDigits}, kMillimetres{"mm", 1e3, 3},
@@ -76,9 +76,9 @@ constexpr std::array kFigures = {
     Figure{"axial_variation", "1", "range over mean of the solid fraction over height", "axial variation",
            kPercent},
     Figure{"full_die_mass_kg", "kg", "real powder in a die full at apparent density",
-           "a die full at apparent density holds", kGrams, kNot, "full die"},
+           "a die full at apparent density holds", kGrams, kNotCompared, "full die"},
     Figure{"apparent_density_kg_m3", "kg/m^3", "apparent density of the real powder",
-           "apparent density of the real powder", kRealDensity, kNot, "apparent density"},
+           "apparent density of the real powder", kRealDensity, kNotCompared, "apparent density"},
     Figure{"apparent_density_is_estimate", "1",
            "0: as weighed; 1: the bed's solid fraction times the metal's density",
            "apparent density is an estimate", kNumber},
@@ -128,9 +128,9 @@ constexpr std::array kFigures = {
            "mass of model powder that left the tools", kGrams},
     // Cavity, tools and motion.
     Figure{"cavity_volume_m3", "m^3", "volume of the cavity below the fill plane", "volume of the cavity",
-           ShownAs{"cm^3", 1e6, kDigits}, kNot, "volume", "volume_m3"},
+           ShownAs{"cm^3", 1e6, kDigits}, kNotCompared, "volume", "volume_m3"},
     Figure{"cavity_narrowest_width_m", "m", "smallest horizontal width of the cavity; 0: unknown",
-           "narrowest width of the cavity", ShownAs{"mm", 1e3, kDigits}, kNot, "narrowest width"},
+           "narrowest width of the cavity", ShownAs{"mm", 1e3, kDigits}, kNotCompared, "narrowest width"},
     Figure{"grain_diameter_over_cavity_width", "1", "size of the largest grains over the narrowest width",
            "grain size over narrowest width", kRatio},
     Figure{"wall_spheres", "1", "number of wall spheres of all tools", "wall spheres", kNumber},
@@ -150,7 +150,8 @@ constexpr std::array kFigures = {
     Figure{"wall_overlap_limit_ratio", "1", "a run with a deeper overlap with walls stops",
            "limit of the overlap with walls over the spheres' radius", kRatio},
     Figure{"energy_balance_error", "1", "energy unaccounted for, relative to the energy exchanged",
-           "energy unaccounted for over energy exchanged", ShownAs{"1", 1, 2}, kNot, "energy balance error"},
+           "energy unaccounted for over energy exchanged", ShownAs{"1", 1, 2}, kNotCompared,
+           "energy balance error"},
     Figure{"energy_error_limit", "1", "limit of the energy balance error, either way",
            "limit of the energy unaccounted for over energy exchanged", ShownAs{"1", 1, 2}},
     // Size and speed of the computation.
@@ -166,7 +167,7 @@ constexpr std::array kFigures = {
     Figure{"sphere_steps_left_out", "1", "sphere-steps saved where grains slept", "sphere-steps left out",
            ShownAs{"million", 1e-6, 3}},
     Figure{"sphere_steps_per_second", "1/s", "powder spheres times steps over wall-clock time",
-           "speed of the computation", ShownAs{"million sphere-steps/s", 1e-6, 3}, kNot, "speed"},
+           "speed of the computation", ShownAs{"million sphere-steps/s", 1e-6, 3}, kNotCompared, "speed"},
 };
 
 constexpr const char* kUnknown = "figure of the run, as in report.json";

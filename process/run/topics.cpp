@@ -199,12 +199,19 @@ const char* name_of(engine::InstructionSet set) {
   return set == engine::InstructionSet::avx2 ? "AVX2" : "baseline of the compiler";
 }
 
+/// Clang's own text names it.
+#ifdef __clang__
+constexpr const char* kCompiler = __VERSION__;
+#else
+constexpr const char* kCompiler = "GCC " __VERSION__;
+#endif
+
 }  // namespace
 
 results::Topic versions_topic() {
   results::Topic topic{"versions", {}, {}};
   state(topic, "diefill", program_version());
-  state(topic, "Compiler", __VERSION__);
+  state(topic, "Compiler", kCompiler);
   state(topic, "Instruction set", name_of(engine::best_instruction_set()));
   state(topic, "Libraries", DIEFILL_LIBRARIES);
   return topic;

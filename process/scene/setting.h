@@ -15,6 +15,8 @@ enum class Setting { quick, working, reference };
 
 /// The setting as a scene spells it, such as "working".
 std::string description(Setting setting);
+/// All names of settings, the coarsest first.
+std::vector<std::string> setting_names();
 /// The setting of that name. Throws SceneError, naming the nearest, for any other.
 Setting setting_named(const std::string& name);
 

@@ -40,6 +40,15 @@ bool is_path_of_project(const std::string& name) {
   return !stands_for_several(name) && (std::regex_match(name, path) || std::regex_match(name, source));
 }
 
+/// Paths without an ending, such as `run/fill_run`, that begin with a folder beside the document or above it;
+/// not those of files that builds and runs make, nor of groups in results.h5.
+bool is_path_from_a_folder(const std::string& document, const std::string& name) {
+  static const std::regex path("([a-z0-9_]+)(/[a-z0-9_]+)+");
+  std::smatch part;
+  if (!std::regex_match(name, part, path) || document == "process/results/README.md") return false;
+  return part[1] != "build" && part[1] != "out" && names_a_file_near(document, part[1]);
+}
+
 /// What a document names and the project lacks, a line each.
 std::vector<std::string> missing_files(const std::string& document, const std::string& text) {
   std::set<std::string> known;
@@ -49,6 +58,9 @@ std::vector<std::string> missing_files(const std::string& document, const std::s
     for (const auto& name : quoted_code(line)) {
       const bool bare = name.find('/') == std::string::npos;
       if (is_path_of_project(name) && !(bare ? known.contains(name) : names_a_file_near(document, name)))
+        missing.push_back(document + ": " + name);
+      else if (is_path_from_a_folder(document, name) && !names_a_file_near(document, name) &&
+               !exists_beside("sample_tools/x", name + ".toml"))
         missing.push_back(document + ": " + name);
     }
   return missing;
@@ -71,6 +83,9 @@ TEST(Documents, NameFilesThatExist) {
   EXPECT_EQ(
       missing_files("engine/README.md", "`laws/nowhere.h` `engine/laws/parts.h` `gone.cpp` `laws/parts`"),
       (std::vector<std::string>{"engine/README.md: laws/nowhere.h", "engine/README.md: gone.cpp"}));
+  EXPECT_EQ(
+      missing_files("process/plan/README.md", "`run/nowhere` `run/fill_run` `narrow_ring/fill` `N/m` `m/s`"),
+      std::vector<std::string>{"process/plan/README.md: run/nowhere"});
 }
 
 TEST(Documents, ListFilesThatStandBesideThem) {

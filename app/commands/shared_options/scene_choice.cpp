@@ -74,9 +74,12 @@ class Ticker {
 }  // namespace
 
 CLI::Option* add_setting(CLI::App& command, std::string& setting) {
-  return command.add_option("--setting", setting,
-                            "quick, working or reference: use the planner's grain diameter, time step, wall "
-                            "spacing and fill height instead of those of the scene");
+  return command
+      .add_option(
+          "--setting", setting,
+          "use the planner's grain diameter, time step, wall spacing and fill height instead of those "
+          "of the scene")
+      ->check(one_of(process::setting_names()));
 }
 
 void print_setting_choices(const process::Scene& scene) {

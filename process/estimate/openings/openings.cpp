@@ -139,7 +139,7 @@ void sum_up(const Tooling& tooling, OpeningLayout& layout) {
 std::optional<FallingPunch> fall_of(const Tooling& tooling, const Stages& stages,
                                     const std::vector<StepState>& states, const std::vector<double>& times,
                                     const Tool& tool) {
-  constexpr double kStirs = 1e-5;  // m
+  constexpr double kSmallestMove = 1e-5;  // m, from which on a punch has left its end position
   const auto height = [&](double time) {
     return pose_in_die(tooling, stages, states, tool.spec.name, time).translation.z();
   };
@@ -150,9 +150,9 @@ std::optional<FallingPunch> fall_of(const Tooling& tooling, const Stages& stages
   fall.stroke = first - last;
   fall.began = times.front();
   for (const double time : times)
-    if (height(time) > first - kStirs) fall.began = time;
+    if (height(time) > first - kSmallestMove) fall.began = time;
   fall.ended = times.back();
-  for (auto time = times.rbegin(); time != times.rend() && height(*time) < last + kStirs; ++time)
+  for (auto time = times.rbegin(); time != times.rend() && height(*time) < last + kSmallestMove; ++time)
     fall.ended = *time;
   return fall;
 }

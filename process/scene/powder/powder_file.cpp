@@ -21,7 +21,7 @@ constexpr QuantityRule kLength = {Dimension::length, "1.88 mm", "0 mm", "100 mm"
 constexpr QuantityRule kModulus = {Dimension::pressure, "10 MPa", "1e4 Pa", "1e12 Pa"};
 constexpr double kSame = 1e-3;  // relative: what rounding in a file makes of a number
 constexpr std::array<const char*, 3> kSections = {"powder", "walls", "contact"};  // of a powder file
-constexpr std::array<const char*, 4> kMakeAnother = {"preset", "model", "sphere_radius", "grain_mass"};
+constexpr std::array<const char*, 4> kKeysFromFile = {"preset", "model", "sphere_radius", "grain_mass"};
 
 /// Number of [contact], by which another one is told; empty where the document has none.
 std::string contact_number(const toml::table& document) {
@@ -91,7 +91,7 @@ bool merge_powder_file(toml::table& document, const std::filesystem::path& scene
   if (powder == nullptr || !powder->contains("file")) return false;
   TableReader reader(*powder, scene_file, "powder");
   const std::filesystem::path file = scene_file.parent_path() / reader.required_text("file", "powder.toml");
-  for (const char* key : kMakeAnother)
+  for (const char* key : kKeysFromFile)
     if (reader.has(key)) reader.reject(key, "powder.file gives it; remove one of the two");
   std::string text;
   try {

@@ -59,7 +59,7 @@ constexpr std::array<Preset, 11> kPresets = {{
      "underfilled the most"},
 }};
 
-constexpr const char* kTowers = "ASC100.29 A1";
+constexpr const char* kColumnFormingPreset = "ASC100.29 A1";
 
 /// kg/m^3 of the real powder; 0 where it has not been published.
 double apparent_density(const std::string& preset) {
@@ -90,8 +90,8 @@ double preset_solid_density(const PowderSpec& powder) {
 }
 
 std::string preset_warning(const PowderSpec& powder) {
-  if (powder.name != kTowers || powder.model != GrainModel::A) return {};
-  return std::string("preset \"") + kTowers +
+  if (powder.name != kColumnFormingPreset || powder.model != GrainModel::A) return {};
+  return std::string("preset \"") + kColumnFormingPreset +
          "\" is not suitable for die filling: its grains stack into vertical columns; use \"ASC100.29 D2\" "
          "(diefill "
          "powders lists the use of each preset)";

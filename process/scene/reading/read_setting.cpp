@@ -33,13 +33,16 @@ std::string description(Setting setting) {
   return {};
 }
 
+std::vector<std::string> setting_names() {
+  std::vector<std::string> names;
+  for (const auto& choice : settings()) names.push_back(choice.first);
+  return names;
+}
+
 Setting setting_named(const std::string& name) {
-  std::vector<std::string> words;
-  for (const auto& [word, value] : settings()) {
+  for (const auto& [word, value] : settings())
     if (word == name) return value;
-    words.push_back(word);
-  }
-  const auto meant = nearest_key(name, words);
+  const auto meant = nearest_key(name, setting_names());
   throw SceneError("--setting: found \"" + name + "\", allowed: quick, working, reference" +
                    (meant ? "; did you mean \"" + *meant + "\"?" : ""));
 }

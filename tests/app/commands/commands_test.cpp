@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <regex>
+#include <string>
 
 #include "tests/app/small_die.h"
 
@@ -30,8 +32,13 @@ TEST(CommandLine, VersionNamesCompilerInstructionSetAndLibraries) {
   const Outcome outcome = run_program({"--version"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_TRUE(outcome.out.starts_with("diefill ")) << outcome.out;
-  for (const char* name : {"\nCompiler: ", "\nInstruction set: ", "\nLibraries: Eigen ", ", VTK ", ", Qt "})
+  for (const char* name : {"\nInstruction set: ", "\nLibraries: Eigen ", ", Voro++, ", ", VTK ", ", Qt "})
     EXPECT_NE(outcome.out.find(name), std::string::npos) << name << " in " << outcome.out;
+  EXPECT_TRUE(std::regex_search(outcome.out, std::regex("\nCompiler: .*(GCC|Clang) [0-9]+\\.[0-9]")))
+      << outcome.out;
+  for (const char* name : {"CGAL", "assimp", "OpenCASCADE", "lib3mf", "Embree", "NLopt", "HDF5"})
+    EXPECT_TRUE(std::regex_search(outcome.out, std::regex(std::string(", ") + name + " [0-9]+\\.[0-9]")))
+        << name << " in " << outcome.out;
 }
 
 TEST(CommandLine, WrongWordsExitWithTwo) {

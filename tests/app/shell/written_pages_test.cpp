@@ -41,6 +41,10 @@ TEST(Completion, BashCompletesCommandsOptionsChoicesAndFiles) {
   EXPECT_EQ(completed("lab sil"), "silo\n");
   EXPECT_EQ(completed("lab silo --si"), "--size\n");
   EXPECT_EQ(completed("lab silo --size m"), "medium\n");
+  EXPECT_EQ(completed("map out --picture size"), "size-map|size-section\n");
+  EXPECT_EQ(completed("fit-discharge masses.csv --law b"), "beverloo-round|beverloo-slit\n");
+  for (const std::string command : {"run", "check", "estimate", "plan --variants", "compare"})
+    EXPECT_EQ(completed(command + " scene.toml --setting ''"), "quick|working|reference\n") << command;
   EXPECT_EQ(completed("run comp"), "complete.bash\n");
   EXPECT_EQ(completed("run a"), "a scene.toml\n");
   EXPECT_EQ(completed("run x"), "\n");
