@@ -113,7 +113,11 @@ bool SphereOnMesh::is_behind(const TriangleFoot& nearest) const {
 bool SphereOnMesh::is_nearest_around(const TriangleFoot& foot) const {
   for (const TriangleFoot& other : workspace_.feet) {
     if (&other == &foot || !reaches(other.part, foot.point.point)) continue;
-    if (!at_same_place(foot, other)) return false;
+    if (!at_same_place(foot, other)) {
+      // Two edges almost in one may have feet apart and yet be equally near: the nearer one counts.
+      if (other.distance < foot.distance) return false;
+      continue;
+    }
     if (other.height > foot.height || (other.height == foot.height && other.near < foot.near)) return false;
   }
   return true;

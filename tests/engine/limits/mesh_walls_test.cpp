@@ -89,6 +89,25 @@ TEST(MeshWalls, EdgeThatStandsOutByAStepOfTheCadPushesNothingThrough) {
   EXPECT_LT((velocity_of(simulation, 0) - speed * Eigen::Vector3d::UnitX()).norm(), 1e-2 * speed);
 }
 
+/// Of two edges that are almost one, tilted by 2e-5, each had the other for a place that is nearer.
+TEST(MeshWalls, EdgesOfTwoFacesThatAreAlmostOneAreTouchedOnce) {
+  constexpr double kTilt = 2e-5;
+  const auto settings = elastic();
+  const double speed = 0.3, radius = settings.shape().sphere_radius;
+  const Eigen::Vector3d foot(0, -0.5 * kEdge, 0), outward = Eigen::Vector3d(1, 0, 1).normalized();
+  auto wall = target();
+  for (auto& triangle : wall.triangles) {
+    const auto level = [](const Eigen::Vector3d& corner) { return corner.z() == 0; };
+    if (!std::all_of(triangle.corner.begin(), triangle.corner.end(), level)) continue;
+    for (auto& corner : triangle.corner)
+      if (corner.x() == 0) corner.x() = kTilt * (corner.y() - foot.y());
+  }
+  const auto simulation = thrown(settings, wall, foot + 1.01 * radius * outward, -speed * outward);
+  const double deepest = deepest_of_rebound(settings, radius, speed);
+  EXPECT_NEAR(simulation.deepest_overlap_of_run(), deepest, 1e-3 * deepest);
+  EXPECT_LT((velocity_of(simulation, 0) - speed * outward).norm(), 1e-3 * speed);
+}
+
 TEST(MeshWalls, TakeTheEffectiveRadiusAskedFor) {
   const auto settings = elastic();
   const double radius = settings.shape().sphere_radius, speed = 0.3;
