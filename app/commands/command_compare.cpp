@@ -15,11 +15,13 @@
 #include "app/stop_signals.h"
 #include "app/tables/comparison_table.h"
 #include "process/compare/backups.h"
+#include "process/compare/check_measured.h"
 #include "process/compare/collect.h"
 #include "process/compare/job_folder.h"
+#include "process/compare/measured_measures.h"
 #include "process/compare/run_jobs.h"
 #include "process/input/scene_error.h"
-#include "process/measured_data/compare_with_measured.h"
+#include "process/tooling/progress.h"
 
 namespace diefill::app {
 
@@ -42,29 +44,6 @@ ExitCode exit_code_of(const results::Comparison& comparison) {
     if (worst != kBadInput) worst = run.exit_code == kBadInput ? kBadInput : kOutOfRange;
   }
   return worst;
-}
-
-/// Difference from measured data as measures of the comparison.
-std::vector<process::FurtherMeasure> measures_against(const std::vector<process::MeasuredFile>& files) {
-  std::vector<process::FurtherMeasure> measures;
-  for (const auto& file : files) {
-    const auto add = [&](const std::string& key, const std::string& name, const std::string& unit,
-                         auto value) {
-      measures.push_back({{"measured_" + file.file.stem().string() + '_' + key,
-                           name + " " + file.file.stem().string(), unit, 1, 0},
-                          [file, value](const results::FillResult& result) -> double {
-                            return value(process::compare_with_measured(file, result).zones.front());
-                          }});
-    };
-    const std::string unit = file.table.value.unit;
-    add("difference", "mean difference from measured", unit,
-        [](const results::MeasuredZone& all) { return all.simulated - all.measured; });
-    add("rms", "rms difference from measured", unit,
-        [](const results::MeasuredZone& all) { return all.rms; });
-    add("correlation", "correlation with measured", "1",
-        [](const results::MeasuredZone& all) { return all.correlation; });
-  }
-  return measures;
 }
 
 /// Throws process::SceneError where a table or picture would take the place of a file that is read.
@@ -94,7 +73,9 @@ void require_runs_of(const std::string& scene, const std::filesystem::path& dire
 }
 
 int gather(const std::filesystem::path& directory, const std::vector<process::MeasuredFile>& measured) {
-  const auto comparison = process::collect(directory, measures_against(measured));
+  std::vector<std::string> zones;
+  if (!measured.empty()) zones = process::zones_of_jobs(directory);
+  const auto comparison = process::collect(directory, process::measures_against(measured, zones));
   std::vector<std::filesystem::path> written = {"comparison.json", "comparison.csv"};
   write_output([&] {
     note_moved_results(process::back_up_earlier_tables(directory, comparison));
@@ -160,6 +141,10 @@ int compare(const CompareArguments& arguments) {
   require_directory(directory);
   refuse_overwriting(arguments, "--out", directory);
   const auto variants = checked_variants(arguments);
+  if (!measured.empty()) {
+    process::Progress progress(!arguments.quiet);
+    process::refuse_unmeasurable(measured, variants, progress.callback());
+  }
   const OutputDirectory output(directory, {"tools", "beginnings"});
   const auto list = jobs_in(directory, arguments, variants);
   process::JobOptions options;

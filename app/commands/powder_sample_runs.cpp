@@ -43,6 +43,7 @@ void print(const std::filesystem::path& directory, const results::PowderSpread& 
 int run_powder_samples(const process::Scene& scene, const std::filesystem::path& directory,
                        const PowderSampleArguments& arguments) {
   const auto region = calibration::powder_region_of(scene.file);
+  calibration::refuse_own_values(scene, region);
   const auto powders = calibration::drawn_samples(region, arguments.powders, scene.seed);
   const auto variants = calibration::powder_variants(scene, region, powders, arguments.seeds);
   const OutputDirectory output(directory, {"tools"});

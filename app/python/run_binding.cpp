@@ -1,5 +1,6 @@
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -15,15 +16,41 @@ namespace {
 
 using results::FillResult;
 
+/// A dict whose KeyError says what is there (diefill/named.py); `what`: one of its entries, in messages.
+py::object named(const char* what, const py::dict& entries) {
+  return py::module_::import("diefill.named").attr("Named")(what, entries);
+}
+
 /// A property: the entries of a list in `owner` by name, each valid as long as it is referenced.
 template <class Entry, class Name>
-auto by_name(std::vector<Entry> FillResult::*list, const Name& name) {
-  return [list, name](const py::object& self) {
+auto by_name(const char* what, std::vector<Entry> FillResult::*list, const Name& name) {
+  return [what, list, name](const py::object& self) {
     py::dict entries;
     for (const Entry& entry : self.cast<const FillResult&>().*list)
       entries[py::str(name(entry))] = py::cast(&entry, py::return_value_policy::reference_internal, self);
-    return entries;
+    return named(what, entries);
   };
+}
+
+py::object figures_of(const FillResult& result) {
+  py::dict entries;
+  for (const auto& [name, value] : result.figures) entries[py::str(name)] = py::float_(value);
+  return named("figure", entries);
+}
+
+/// "fill level"; where several profiles have one quantity "fill level over azimuth".
+std::string profile_name(const results::Profile& profile, const FillResult& result) {
+  const auto of_quantity =
+      std::count_if(result.profiles.begin(), result.profiles.end(),
+                    [&](const results::Profile& other) { return other.quantity == profile.quantity; });
+  return of_quantity > 1 ? profile.quantity + " over " + profile.x_name : profile.quantity;
+}
+
+/// Each valid as long as it is referenced.
+py::object profiles_of(const py::object& self) {
+  const auto& result = self.cast<const FillResult&>();
+  const auto name = [&result](const results::Profile& profile) { return profile_name(profile, result); };
+  return by_name("profile", &FillResult::profiles, name)(self);
 }
 
 std::optional<std::pair<std::string, std::string>> meaning_of(const std::string& name) {
@@ -76,6 +103,30 @@ void add_texts(py::class_<FillResult>& run) {
       });
 }
 
+void add_entries(py::class_<FillResult>& run) {
+  run.def_property_readonly("figures", figures_of,
+                            "numbers of report.json by name; figure_meaning() explains them")
+      .def_property_readonly("maps",
+                             by_name("map", &FillResult::maps, [](const auto& map) { return map.quantity; }),
+                             "fields by quantity")
+      .def_property_readonly(
+          "sections",
+          by_name("section", &FillResult::sections, [](const auto& section) { return section.plane.name; }),
+          "fields on planes by name of the plane")
+      .def_property_readonly("profiles", profiles_of,
+                             "curves by quantity; where several have one quantity, by \"quantity over axis\"")
+      .def_property_readonly(
+          "probes", by_name("probe", &FillResult::probes, [](const auto& probe) { return probe.name; }),
+          "by name in the scene")
+      .def_property_readonly("tools",
+                             by_name("tool", &FillResult::tools, [](const auto& tool) { return tool.name; }),
+                             "by name in the scene")
+      .def_property_readonly(
+          "tool_checks",
+          by_name("tool check", &FillResult::tool_checks, [](const auto& check) { return check.tool; }),
+          "by name of the tool");
+}
+
 }  // namespace
 
 void add_run(py::module_& module) {
@@ -87,31 +138,14 @@ void add_run(py::module_& module) {
       .def_readonly("contact_stress", &FillResult::contact_stress, "of every grain")
       .def_readonly("cavity", &FillResult::cavity, "the largest one")
       .def_readonly("summary", &FillResult::summary, "solid fraction of the grains in the cavity")
-      .def_readonly("figures", &FillResult::figures,
-                    "numbers of report.json by name; figure_meaning() explains them")
       .def_readonly("phase_seconds", &FillResult::phase_seconds,
                     "s of wall-clock time by phase of the step, since the last restart")
-      .def_property_readonly("maps", by_name(&FillResult::maps, [](const auto& map) { return map.quantity; }),
-                             "fields by quantity")
-      .def_property_readonly(
-          "sections", by_name(&FillResult::sections, [](const auto& section) { return section.plane.name; }),
-          "fields on planes by name of the plane")
-      .def_property_readonly(
-          "profiles", by_name(&FillResult::profiles, [](const auto& profile) { return profile.quantity; }),
-          "curves by quantity")
-      .def_property_readonly("probes",
-                             by_name(&FillResult::probes, [](const auto& probe) { return probe.name; }),
-                             "by name in the scene")
-      .def_property_readonly("tools", by_name(&FillResult::tools, [](const auto& tool) { return tool.name; }),
-                             "by name in the scene")
       .def_property_readonly("instants", in_order(&FillResult::instants),
                              "earlier times, ascending (measure.snapshot_interval)")
       .def_property_readonly("stages", in_order(&FillResult::stages), "the schedule as it happened")
       .def_property_readonly("other_cavities", in_order(&FillResult::other_cavities),
-                             "smaller ones; figures and maps are of `cavity`")
-      .def_property_readonly("tool_checks",
-                             by_name(&FillResult::tool_checks, [](const auto& check) { return check.tool; }),
-                             "by name of the tool");
+                             "smaller ones; figures and maps are of `cavity`");
+  add_entries(run);
   module.def(
       "read", [](const std::string& directory) { return results::read_results(directory); },
       py::arg("directory"),

@@ -5,8 +5,10 @@
 #include "process/calibration/calibration_results.h"
 #include "process/calibration/methods/next_points.h"
 #include "process/calibration/methods/space_filling.h"
+#include "process/calibration/powder_account.h"
 #include "process/calibration/starting_powder.h"
 #include "process/compare/backups.h"
+#include "process/measured_data/deviations.h"
 #include "process/results/formatted.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/file_contents.h"
@@ -189,8 +191,8 @@ void write_powder(const CalibrationPlan& plan, const Fit& fit, const results::Ca
                   const PointOptions& options) {
   const Measurement& first = plan.measurements[fit.measurement.front()];
   const Scene scene = scene_at(plan, first.runs.front(), plain(fit.region.best));
-  const std::string text =
-      powder_file_text(scene, powder_comment(account), powder_calibration_table(account), program_version());
+  const std::string text = powder_file_text(scene, powder_comment(account, plan, fit),
+                                            powder_calibration_table(account, plan), program_version());
   const std::filesystem::path file = options.directory / "powder.toml";
   if (std::filesystem::exists(file)) {
     if (results::contents_or_nothing(file) == text) return;
@@ -201,12 +203,21 @@ void write_powder(const CalibrationPlan& plan, const Fit& fit, const results::Ca
   results::write_text_atomically(file, text);
 }
 
+/// What is better known before hours are spent.
+void note_doubtful_data(const CalibrationPlan& plan, const NoteCallback& on_note) {
+  if (!on_note) return;
+  for (const Measurement& measurement : plan.measurements)
+    if (const std::string remark = remark_on_deviations(measurement.data); !remark.empty())
+      on_note("note: measurement \"" + measurement.name + "\": " + remark);
+}
+
 }  // namespace
 
 results::Calibration calibrate(const CalibrationPlan& plan, const CalibrateOptions& given) {
   CalibrateOptions options = given;
   options.points.run = given.open_runs == OpenRuns::run;
   options.points.write = given.open_runs != OpenRuns::leave_out;
+  note_doubtful_data(plan, options.points.on_note);
   Search search(plan, options);
   const std::string stopped = search.go();
   search.check();

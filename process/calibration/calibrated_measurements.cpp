@@ -6,6 +6,7 @@
 
 #include "process/calibration/calibration_results.h"
 #include "process/input/units.h"
+#include "process/measured_data/deviations.h"
 #include "process/results/none.h"
 #include "process/tradeoff/evaluate.h"
 
@@ -90,14 +91,18 @@ std::string out_of_reach(const results::CalibratedMeasurement& row, const std::v
          std::to_string(row.data.size()) + " values: " + first;
 }
 
+/// One more statement of a remark, whose first one may be empty.
+void add_remark(std::string& remark, const std::string& statement) {
+  if (!statement.empty()) remark += (remark.empty() ? "" : "; ") + statement;
+}
+
 /// What stands beside a fitted measurement: places left out, values out of reach.
 std::string remark_on(const results::CalibratedMeasurement& row, const std::vector<std::size_t>& places,
                       std::size_t measurement, const SimulatedPoints& simulated) {
   std::string remark = out_of_reach(row, places, measurement, simulated);
   if (const std::size_t left_out = row.data.size() - places.size(); left_out > 0)
-    remark += (remark.empty() ? "" : "; ") + std::to_string(left_out) + " of its " +
-              std::to_string(row.data.size()) +
-              " values are left out: most runs have values elsewhere, but not there";
+    add_remark(remark, std::to_string(left_out) + " of its " + std::to_string(row.data.size()) +
+                           " values are left out: most runs have values elsewhere, but not there");
   return remark;
 }
 
@@ -180,6 +185,7 @@ void add_measurements(results::Calibration& account, const CalibrationPlan& plan
     } else if (fit) {
       add_checked(row, m, simulated);
     }
+    add_remark(row.remark, remark_on_deviations(plan.measurements[m].data));
     if (fit) add_residual(row, plan.measurements[m]);
     add_finer(row, m, simulated);
     account.measurements.push_back(std::move(row));

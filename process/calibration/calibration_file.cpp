@@ -159,7 +159,9 @@ CalibrationPlan read_calibration(const std::filesystem::path& file) {
     if (first.has("experiment")) document.require("powder", "\"powder.toml\", or a scene with the powder");
     plan.powder = named_file(first, "scene", "heap.toml");
   }
-  plan.measurements = read_measurements(document, {plan.powder});
+  MeasurementContext context{plan.powder};
+  for (const ParameterRange& range : plan.parameters) context.parameters.push_back(range.key);
+  plan.measurements = read_measurements(document, context);
   read_search(document, plan);
   document.finish();
   check_ends(plan);

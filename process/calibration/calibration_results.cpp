@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
+#include "process/calibration/fitted_grains.h"
 #include "process/calibration/methods/insight.h"
 #include "process/calibration/methods/next_points.h"
-#include "process/input/toml_string.h"
 #include "process/input/units.h"
 #include "process/results/formatted.h"
 #include "process/results/none.h"
-#include "process/scene/powder/grain_models.h"
 
 namespace diefill::process::calibration {
 namespace {
@@ -62,13 +60,27 @@ void add_emulator_share(results::Calibration& account, const Fit& fit) {
                             (account.agrees ? ", so that the powder agrees says little" : ""));
 }
 
-/// A verdict on each measurement that was kept for checking, where the check was run.
-void add_verdicts(results::Calibration& account, const SimulatedPoints& simulated) {
-  if (std::none_of(simulated.points.begin(), simulated.points.end(),
-                   [](const Point& point) { return point.checks; }))
-    return;
-  for (const auto& measurement : account.measurements)
-    if (!measurement.fitted) account.insights.push_back(check_verdict(measurement));
+/// Data that the parameters can always meet prove nothing.
+void add_missing_freedom(results::Calibration& account) {
+  const std::size_t values = account.data, parameters = account.parameters.size();
+  if (!account.agrees || values > parameters) return;
+  account.insights.push_back("that the powder agrees proves nothing: no degree of freedom is left (" +
+                             std::to_string(values) + (values == 1 ? " value, " : " values, ") +
+                             std::to_string(parameters) + (parameters == 1 ? " parameter" : " parameters") +
+                             "); measure more to test the powder");
+}
+
+/// A verdict on each measurement that was kept for checking, where the check was run, and on each that was
+/// run with finer grains.
+void add_verdicts(results::Calibration& account, const CalibrationPlan& plan,
+                  const SimulatedPoints& simulated) {
+  const auto& points = simulated.points;
+  if (std::any_of(points.begin(), points.end(), [](const Point& point) { return point.checks; }))
+    for (const auto& measurement : account.measurements)
+      if (!measurement.fitted) account.insights.push_back(check_verdict(measurement));
+  if (std::any_of(points.begin(), points.end(), [](const Point& point) { return point.role == "finer"; }))
+    for (const auto& measurement : account.measurements)
+      account.insights.push_back(finer_verdict(measurement, plan.finer_grains, plan.seeds));
 }
 
 void add_words(results::Calibration& account, const CalibrationPlan& plan, const SimulatedPoints& simulated,
@@ -76,8 +88,10 @@ void add_words(results::Calibration& account, const CalibrationPlan& plan, const
   std::vector<std::string> keys, names;
   for (const ParameterRange& range : plan.parameters) keys.push_back(range.key);
   for (const std::size_t m : fit.measurement) names.push_back(plan.measurements[m].name);
-  account.insights = insights(fit.region, keys, names);
-  add_verdicts(account, simulated);
+  add_missing_freedom(account);
+  for (std::string& sentence : insights(fit.region, keys, names))
+    account.insights.push_back(std::move(sentence));
+  add_verdicts(account, plan, simulated);
   if (!account.worth.empty() && account.worth.front().volume < 0.95) {
     const auto& best = account.worth.front();
     account.insights.push_back("of the measurements known here, " + best.name +
@@ -89,37 +103,6 @@ void add_words(results::Calibration& account, const CalibrationPlan& plan, const
         "no parameters in these ranges agree with the data: chi^2 " +
         number_text(std::round(10 * account.chi_square) / 10) + " of " + std::to_string(account.data) +
         " values; the ranges are too narrow, the deviations too small, or the model cannot do this");
-}
-
-/// A number that TOML reads as one with a fraction.
-std::string with_point(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  std::string number = text;
-  return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
-}
-
-std::string grains_text(const Scene& scene) {
-  const std::string grains =
-      scene.powder.clump ? "clumps" : std::string("grain model ") + name_of(scene.powder.model);
-  return grains + ", d = " + number_text(1e3 * scene.powder.grain_diameter) + " mm, " +
-         (scene.walls.kind == WallKind::mesh
-              ? "mesh walls"
-              : "wall spheres of " + number_text(1e3 * scene.walls.sphere_radius) + " mm, spacing " +
-                    number_text(scene.walls.spacing)) +
-         (scene.contact ? ", [contact] of the powder file"
-                        : ", reduced modulus " + number_text(1e-6 * scene.powder.reduced_modulus) + " MPa");
-}
-
-/// Powders that agree, each with the values of the parameters below in their order.
-std::string samples_text(const results::Calibration& account) {
-  std::string text = "samples = [\n";
-  for (const auto& sample : account.samples) {
-    text += "  [";
-    for (std::size_t k = 0; k < sample.size(); ++k) text += (k == 0 ? "" : ", ") + with_point(sample[k]);
-    text += "],\n";
-  }
-  return text + "]\n";
 }
 
 }  // namespace
@@ -143,9 +126,10 @@ results::Calibration calibration_results(const CalibrationPlan& plan, const Simu
         " sets of parameters have failed runs or runs without a value; their other runs are used; the table "
         "of points says why");
   if (!fit) return account;
-  const std::vector<double> best(fit->region.best.begin(), fit->region.best.end());
-  account.grains =
-      grains_text(scene_at(plan, plan.measurements[fit->measurement.front()].runs.front(), best));
+  const auto grains = fitted_grains(plan, *fit);
+  account.grains = text_of(grains);
+  if (const std::string differing = differing_grains(grains); !differing.empty())
+    account.remarks.push_back(differing);
   account.data = fit->likelihood->data();
   account.chi_square = fit->likelihood->chi_square(fit->region.best);
   account.agrees = explained_by_chance(account.chi_square, account.data, plan.parameters.size());
@@ -154,27 +138,6 @@ results::Calibration calibration_results(const CalibrationPlan& plan, const Simu
   add_words(account, plan, simulated, *fit);
   add_maps(account, plan, *fit);
   return account;
-}
-
-std::string powder_comment(const results::Calibration& account) {
-  return "# Powder calibrated by diefill " + account.program_version + ": " + account.title +
-         ".\n# A scene uses it with powder.file = \"powder.toml\". Uncertainties are listed at the end.\n";
-}
-
-std::string powder_calibration_table(const results::Calibration& account) {
-  const auto number = [](double value) { return number_text(value); };
-  std::string text = "[calibration]\nagrees = " + std::string(account.agrees ? "true" : "false") +
-                     "\nchi_square = " + number(account.chi_square) +
-                     "\nfitted_values = " + std::to_string(account.data) + "\n" + samples_text(account);
-  for (const auto& parameter : account.parameters)
-    text += "\n[[calibration.parameter]]\nkey = \"" + parameter.key + "\"\nunit = \"" + parameter.unit +
-            "\"\nbest = " + number(parameter.best) + "\nlower_90 = " + number(parameter.lower) +
-            "\nupper_90 = " + number(parameter.upper) + "\n";
-  for (const auto& measurement : account.measurements)
-    text += "\n[[calibration.measurement]]\nname = " + toml_string(measurement.name) + "\nuse = \"" +
-            (measurement.fitted ? "fit" : "check") +
-            "\"\nvalues = " + std::to_string(measurement.data.size()) + "\n";
-  return text;
 }
 
 }  // namespace diefill::process::calibration

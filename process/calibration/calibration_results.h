@@ -31,6 +31,8 @@ std::optional<MeasuredCurve> measured_curve(const Measurement& measurement,
                                             const std::vector<std::size_t>& places);
 
 /// Whether chance explains the chi^2 of so many data (1 %); the parameters have used up as many of them.
+/// Where none are left, a region without a limit reaches chi^2 0: the limit of one datum tells whether a
+/// range ends before that, and agreement proves nothing.
 bool explained_by_chance(double chi_square, std::size_t data, std::size_t parameters);
 
 /// What the simulated value of a check may differ by: the deviations of measurement and runs, or also what
@@ -44,9 +46,11 @@ double chi_square_of_check(const results::CalibratedMeasurement& row, CheckedAga
 /// its chi^2 in 1 % of cases or more, if the variance over seeds has the degrees of freedom of
 /// CalibrationDatum::freedom. Where it has none it counts as 0, and the sentence says so.
 std::string check_verdict(const results::CalibratedMeasurement& row);
+/// The same without the measurement's name: "is predicted within its deviation".
+std::string check_outcome(const results::CalibratedMeasurement& row);
 
-/// Comment at the top of powder.toml, and its table [calibration].
-std::string powder_comment(const results::Calibration& account);
-std::string powder_calibration_table(const results::Calibration& account);
+/// Whether finer `grains` give other values than those fitted, in a sentence: by more than the measured
+/// deviation and the scatter over `seeds` runs explain (1 %).
+std::string finer_verdict(const results::CalibratedMeasurement& row, const std::string& grains, int seeds);
 
 }  // namespace diefill::process::calibration

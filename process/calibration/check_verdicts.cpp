@@ -82,8 +82,8 @@ std::string furthest(const results::CalibratedMeasurement& row) {
 }  // namespace
 
 bool explained_by_chance(double chi_square, std::size_t data, std::size_t parameters) {
-  if (data <= parameters) return chi_square < 6.63;  // 1 % of one degree of freedom
-  return chi_square < results::chi_squared_exceeded(static_cast<double>(data - parameters), kByChance);
+  const std::size_t freedom = data > parameters ? data - parameters : 1;
+  return chi_square < results::chi_squared_exceeded(static_cast<double>(freedom), kByChance);
 }
 
 double chi_square_of_check(const results::CalibratedMeasurement& row, CheckedAgainst against) {
@@ -94,22 +94,25 @@ double chi_square_of_check(const results::CalibratedMeasurement& row, CheckedAga
   return sum;
 }
 
-std::string check_verdict(const results::CalibratedMeasurement& row) {
-  const std::string name = "the check \"" + row.name + "\" ";
+std::string check_outcome(const results::CalibratedMeasurement& row) {
   const std::size_t count = simulated_values(row);
   const auto met = [&](CheckedAgainst against) {
     return chi_square_of_check(row, against) < limit_of(count, freedom_of(row, against));
   };
-  if (count == 0) return name + "has no value at the best parameters: it says nothing";
+  if (count == 0) return "has no value at the best parameters: it says nothing";
   const std::string unknown =
       has_unknown_scatter(row)
           ? "; its scatter over seeds is not known and counts as 0: no set of parameters has two runs of it"
           : "";
-  if (met(CheckedAgainst::deviation)) return name + "is predicted within its deviation" + unknown;
+  if (met(CheckedAgainst::deviation)) return "is predicted within its deviation" + unknown;
   if (met(CheckedAgainst::region))
-    return name + "is predicted within the region's range, but not by the best powder within its deviation" +
+    return "is predicted within the region's range, but not by the best powder within its deviation" +
            unknown;
-  return name + "is missed: " + furthest(row) + unknown;
+  return "is missed: " + furthest(row) + unknown;
+}
+
+std::string check_verdict(const results::CalibratedMeasurement& row) {
+  return "the check \"" + row.name + "\" " + check_outcome(row);
 }
 
 }  // namespace diefill::process::calibration

@@ -1,10 +1,10 @@
 // A quantity of an experiment of the laboratory, such as the solid fraction of settled powder: its runs with
 // the starting powder, and its evaluation of them.
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "process/calibration/measurement.h"
+#include "process/calibration/possible_figures.h"
 #include "process/calibration/starting_powder.h"
 #include "process/input/nearest_key.h"
 #include "process/input/unit_conversion.h"
@@ -106,6 +106,12 @@ double factor_into(const TableReader& table, const std::string& unit, const std:
   }
 }
 
+/// kg/m^3 of the metal of the setting's powder; 0: not known.
+double solid_density_of(const laboratory::LabSetting& setting) {
+  constexpr const char* kPreset = "Distaloy AE";  // where the setting has no powder
+  return laboratory::lab_powder(setting, kPreset, setting.scale()).solid_density;
+}
+
 /// The scenes of the quantity's runs, in its order. What the plan changes stands above the starting powder: a
 /// friction or a modulus that the experiment varies is its own.
 std::vector<MeasurementRun> runs_of(const LabQuantity& quantity, const LabPlan& plan,
@@ -137,12 +143,13 @@ Measurement read_experiment_measurement(TableReader& table, const MeasurementCon
   const About named = about(quantity, setting);
   Measurement measurement;
   measurement.quantity = named.words;
+  measurement.experiment = experiment.name;
   measurement.data = read_measured(table, 0);
   if (measurement.data.size() != 1) table.reject("file", "a quantity of an experiment has one row");
-  measurement.runs = runs_of(quantity, plan, setting, set_of(table));
+  measurement.runs = runs_of(quantity, plan, setting, set_of(table, context));
   const double factor = factor_into(table, named.unit, measurement.data.value.unit);
-  constexpr double kAny = std::numeric_limits<double>::infinity();
-  if (has_same_dimension(named.unit, "kg")) refuse_impossible(measurement.data, {named.unit, 0, kAny});
+  refuse_impossible(measurement.data, possible_values_of_experiment(quantity.id, named.words, named.unit,
+                                                                    solid_density_of(setting)));
   measurement.simulated = [factor, quantity](const std::vector<FinishedRun>& runs) {
     std::map<std::string, std::filesystem::path> folders;
     for (std::size_t k = 0; k < runs.size(); ++k) folders[quantity.runs[k]] = runs[k].folder;

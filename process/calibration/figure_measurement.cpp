@@ -87,6 +87,19 @@ ChosenFigure figure_called(TableReader& table, const std::string& word, const Sc
                                  "diefill tradeoff list them");
 }
 
+/// Throws SceneError unless `over` is the path of a key that a plant can vary and no parameter.
+void check_over(const TableReader& table, const std::string& over, const MeasurementContext& context) {
+  if (!is_key_path(over))
+    table.reject("over",
+                 "expected the path of a key alone, without \"=\", value or comment, such as "
+                 "\"step.1.velocity\"");
+  if (!can_be_varied(over))
+    table.reject("over",
+                 "allowed: a key that an experiment varies, such as \"step.1.velocity\"; this one belongs to "
+                 "the file or the computation");
+  refuse_parameters(table, "over", over + " = 0", context);
+}
+
 /// The factor that takes a figure into the data's unit.
 double factor_into(const TableReader& table, const MeasuredColumn& column, const ChosenFigure& figure) {
   try {
@@ -164,11 +177,11 @@ std::function<std::vector<double>(const std::vector<FinishedRun>&)> values_of_ru
 
 Measurement read_figure_measurement(TableReader& table, const MeasurementContext& context) {
   const std::string word = table.required_text("figure", "expected_mass_kg");
+  if (is_of_computation(word))
+    table.reject("figure",
+                 "this figure is of the computation, not of the powder; choose one that is measured");
   const auto over = table.text("over");
-  if (over && !is_key_path(*over))
-    table.reject("over",
-                 "expected the path of a key alone, without \"=\", value or comment, such as "
-                 "\"step.1.velocity\"");
+  if (over) check_over(table, *over, context);
   Measurement measurement;
   const MeasurementRun run = run_of_scene(table, context);
   measurement.data = over ? read_measured(table, 1) : measured_figure(table);

@@ -32,6 +32,7 @@ struct Measurement {
   bool fitted = true;                ///< false: kept for checking
   std::string quantity;              ///< what is measured, for people
   std::string figure, figure_place;  ///< its name and where the file has it; empty: no figure of a scene
+  std::string experiment;            ///< of the laboratory; empty: a scene of the plant's own
   MeasuredTable data;
   std::vector<MeasurementRun> runs;
   /// The measured values as the results of `runs` have them, in the data's unit, NaN where one has none.
@@ -46,6 +47,7 @@ struct Measurement {
 struct MeasurementContext {
   std::filesystem::path
       powder;  ///< scene or powder file that every run takes its powder from; empty: its own
+  std::vector<std::string> parameters = {};  ///< keys that are to be found
 };
 
 /// Reads the keys of its kind in a [[measurement]]; name, kind and use have been read. Throws SceneError.
@@ -69,8 +71,13 @@ MeasurementRun run_of_scene(TableReader& measurement, const MeasurementContext& 
 /// Tries one line of TOML on the run's scene. Throws SceneError for a fault that it makes, named at `where`,
 /// the key of the calibration file that it comes from.
 void try_assignment(const MeasurementRun& run, const std::string& assignment, const std::string& where);
-/// `set` of a measurement, lines of TOML.
-std::string set_of(TableReader& measurement);
+/// `set` of a measurement, lines of TOML. Throws SceneError where it gives a value to a parameter that is to
+/// be found.
+std::string set_of(TableReader& measurement, const MeasurementContext& context);
+/// Throws SceneError where lines of TOML under `key` of a measurement, such as "over", give a value to a
+/// parameter that is to be found.
+void refuse_parameters(const TableReader& measurement, const std::string& key, const std::string& lines,
+                       const MeasurementContext& context);
 
 /// The kinds.
 Measurement read_figure_measurement(TableReader& table, const MeasurementContext& context);

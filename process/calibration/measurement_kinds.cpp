@@ -1,6 +1,9 @@
+#include <toml++/toml.h>
+
 #include <algorithm>
 #include <cctype>
 
+#include "process/calibration/key_node.h"
 #include "process/calibration/measurement.h"
 #include "process/calibration/starting_powder.h"
 #include "process/input/named_file.h"
@@ -101,7 +104,8 @@ std::vector<Measurement> read_measurements(TableReader& document, const Measurem
 MeasurementRun run_of_scene(TableReader& measurement, const MeasurementContext& context) {
   const std::filesystem::path file = named_file(measurement, "scene", "heap.toml");
   const std::string as_written = load_scene_text(file);
-  MeasurementRun run{with_starting_powder(as_written, file, context.powder), file, set_of(measurement)};
+  MeasurementRun run{with_starting_powder(as_written, file, context.powder), file,
+                     set_of(measurement, context)};
   check_scene(run, as_written, measurement.where("set"), context.powder);
   return run;
 }
@@ -123,10 +127,22 @@ void try_assignment(const MeasurementRun& run, const std::string& assignment, co
   }
 }
 
-std::string set_of(TableReader& measurement) {
+std::string set_of(TableReader& measurement, const MeasurementContext& context) {
   std::string set;
   for (const std::string& line : measurement.texts("set", "step.1.velocity = '0.2 m/s'")) set += line + '\n';
+  refuse_parameters(measurement, "set", set, context);
   return set;
+}
+
+void refuse_parameters(const TableReader& measurement, const std::string& key, const std::string& lines,
+                       const MeasurementContext& context) {
+  const std::string where = measurement.where(key);
+  const toml::table given = parse_changes(lines, where);
+  for (const std::string& parameter : context.parameters)
+    if (node_of_key(given, parameter) != nullptr)
+      throw SceneError(where + ": " + parameter +
+                       " is a [[parameter]] of this calibration, which gives it a value in each run; choose "
+                       "another key here, or remove the [[parameter]]");
 }
 
 }  // namespace diefill::process::calibration

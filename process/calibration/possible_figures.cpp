@@ -1,9 +1,12 @@
 #include "process/calibration/possible_figures.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <string_view>
 
 #include "process/input/unit_conversion.h"
+#include "process/results/figure_table.h"
 
 namespace diefill::process::calibration {
 namespace {
@@ -33,6 +36,52 @@ constexpr std::array<Rule, 12> kRules = {{{"_through_", "", -kAny, kAny},  // ei
                                           {"share", "1", 0, 1},
                                           {"fill_ratio", "1", 0, kFullest}}};
 
+/// Quantities of experiments; the first that is met counts. What is said of two runs, such as "D1 less D2",
+/// may have either sign.
+constexpr std::array<Rule, 9> kExperimentRules = {{{" less ", "", -kAny, kAny},
+                                                   {"differ", "", -kAny, kAny},
+                                                   {"drift", "", -kAny, kAny},
+                                                   {"deviation", "", -kAny, kAny},
+                                                   {"over apparent density", "1", 1, kAny},
+                                                   {"solid fraction", "1", 0, 1},
+                                                   {"share", "1", 0, 1},
+                                                   {"angle", "deg", 0, 90},
+                                                   {"theta", "deg", 0, 90}}};
+
+/// Figures of the model's grains and walls, of the method's limits, and of the computation.
+constexpr std::array<std::string_view, 28> kOfComputation = {"grain_diameter_m",
+                                                             "smallest_grain_diameter_m",
+                                                             "largest_grain_diameter_m",
+                                                             "coarse_graining_factor",
+                                                             "spheres",
+                                                             "wall_spheres",
+                                                             "grains_sheared",
+                                                             "grain_diameter_over_cavity_width",
+                                                             "critical_time_step_s",
+                                                             "time_step_fraction",
+                                                             "deepest_overlap_ratio",
+                                                             "overlap_limit_ratio",
+                                                             "deepest_wall_overlap_ratio",
+                                                             "wall_overlap_limit_ratio",
+                                                             "energy_balance_error",
+                                                             "energy_error_limit",
+                                                             "apparent_density_is_estimate",
+                                                             "solid_fraction_grains",
+                                                             "finished",
+                                                             "steps",
+                                                             "time_step_s",
+                                                             "simulated_s",
+                                                             "wall_seconds",
+                                                             "threads",
+                                                             "ranks",
+                                                             "sphere_steps",
+                                                             "sphere_steps_left_out",
+                                                             "sphere_steps_per_second"};
+
+/// Tables and keys of a scene that no experiment varies.
+constexpr std::array<std::string_view, 6> kNotVaried = {"title",    "seed",    "setting",
+                                                        "numerics", "economy", "variant"};
+
 }  // namespace
 
 PossibleValues possible_values_of_figure(const std::string& name, const std::string& unit) {
@@ -45,6 +94,30 @@ PossibleValues possible_values_of_figure(const std::string& name, const std::str
     if (meant(rule)) return {*rule.unit == '\0' ? unit : rule.unit, rule.least, rule.most};
   if (has_same_dimension(unit, "kg/m^3")) return {"kg/m^3", 0, kDensest};
   return {unit, 0, kAny};
+}
+
+PossibleValues possible_values_of_experiment(const std::string& id, const std::string& called,
+                                             const std::string& unit, double solid_density) {
+  const std::string words = id + ", " + called;
+  for (const Rule& rule : kExperimentRules)
+    if (words.find(rule.part) != std::string::npos &&
+        (*rule.unit == '\0' || has_same_dimension(unit, rule.unit)))
+      return {*rule.unit == '\0' ? unit : rule.unit, rule.least, rule.most};
+  if (has_same_dimension(unit, "kg/m^3")) return {"kg/m^3", 0, solid_density > 0 ? solid_density : kDensest};
+  for (const char* positive : {"kg", "s", "1/s", "m^2", "m^3"})
+    if (has_same_dimension(unit, positive)) return {unit, 0, kAny};
+  return {unit, -kAny, kAny};
+}
+
+bool is_of_computation(const std::string& figure) {
+  const results::Figure* known = results::find_figure(figure);
+  return known != nullptr &&
+         std::find(kOfComputation.begin(), kOfComputation.end(), known->name) != kOfComputation.end();
+}
+
+bool can_be_varied(const std::string& key) {
+  const std::string first = key.substr(0, key.find_first_of(" \t."));
+  return std::find(kNotVaried.begin(), kNotVaried.end(), first) == kNotVaried.end();
 }
 
 }  // namespace diefill::process::calibration

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "process/calibration/key_node.h"
 #include "process/compare/statistics.h"
 #include "process/input/shown_value.h"
 #include "process/input/table_reader.h"
@@ -69,6 +70,16 @@ std::string assignments(const PowderRegion& region, const std::vector<double>& v
   return lines;
 }
 
+/// A key of the scene file that the samples set, too: the best powder's runs would keep the scene's value.
+[[noreturn]] void refuse_own_value(const toml::node& node, const std::string& key, const Scene& scene,
+                                   const PowderRegion& region) {
+  const auto& at = node.source().begin;
+  throw SceneError(scene.file.string() + ':' + std::to_string(at.line) + ':' + std::to_string(at.column) +
+                   ": " + key + ": found " + shown_value(node) + ", but --powder-samples draws it from " +
+                   region.file.filename().string() +
+                   "; remove the key from the scene, or run without --powder-samples");
+}
+
 /// A sample of the region where its scene has walls and stiffness that the powder was fitted with: what the
 /// sample itself changes of these is no difference to warn of.
 Scene as_fitted(const Scene& scene, const Scene& sample) {
@@ -87,6 +98,16 @@ Variant variant_of(const Scene& scene, const std::string& name, const std::strin
   Variant variant{name, folder, as_fitted(scene, changed_scene(scene.text, scene.file, changes))};
   variant.scene.seed = scene.seed + static_cast<std::uint64_t>(seeds_later);
   return variant;
+}
+
+/// The scatter, or 0 where it is the rounding of equal values alone.
+double without_rounding(double scatter, const results::SpreadFigure& figure) {
+  constexpr double kRounding = 1e-12;  // of the largest value
+  double largest = 0;
+  for (const auto* values : {&figure.of_seeds, &figure.of_powders})
+    for (const double value : *values)
+      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  return scatter <= kRounding * largest ? 0 : scatter;
 }
 
 /// Whether powders scatter more than seeds do: with few runs the variances differ by chance, too.
@@ -119,6 +140,18 @@ PowderRegion powder_region_of(const std::filesystem::path& scene_file) {
                      ": --powder-samples: found no [calibration] with samples of the powder; expected a file "
                      "that diefill calibrate wrote");
   return region;
+}
+
+void refuse_own_values(const Scene& scene, const PowderRegion& region) {
+  const toml::table own = parse_scene_text(load_scene_text(scene.file), scene.file);
+  const std::string of_file = load_scene_text(region.file);
+  for (const std::string& key : region.keys) {
+    if (const toml::node* node = node_of_key(own, key)) refuse_own_value(*node, key, scene, region);
+    if (value_at(scene.text, scene.file, key) != value_at(of_file, region.file, key))
+      throw SceneError("--powder-samples: it draws " + key + " from " + region.file.filename().string() +
+                       ", but --set, --setting or a [contact] of the scene replaces the value there; leave "
+                       "that out, or run without --powder-samples");
+  }
 }
 
 std::vector<std::vector<double>> drawn_samples(const PowderRegion& region, int count, std::uint64_t seed) {
@@ -154,7 +187,8 @@ results::SpreadFigure spread_of(const results::ComparedMeasure& measure,
   }
   const results::Figure* known = results::find_figure(measure.key);
   const double period = known == nullptr ? 0 : known->shown.period;
-  const Sample best = sample_of(figure.of_seeds, period), powders = sample_of(figure.of_powders, period);
+  Sample best = sample_of(figure.of_seeds, period), powders = sample_of(figure.of_powders, period);
+  for (Sample* sample : {&best, &powders}) sample->scatter = without_rounding(sample->scatter, figure);
   figure.best = best.mean;
   figure.scatter = best.scatter;
   figure.mean = powders.mean;

@@ -24,6 +24,11 @@ struct PowderRegion {
 /// samples.
 PowderRegion powder_region_of(const std::filesystem::path& scene_file);
 
+/// Throws SceneError where `scene` has a value of its own of a fitted key, with its line: the best powder's
+/// runs would have that value, and those of the samples another one. The scene is as it is to be run, changes
+/// included.
+void refuse_own_values(const Scene& scene, const PowderRegion& region);
+
 /// `count` samples spread over all of them: the same for the same seed. Throws SceneError for more than there
 /// are.
 std::vector<std::vector<double>> drawn_samples(const PowderRegion& region, int count, std::uint64_t seed);

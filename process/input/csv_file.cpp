@@ -1,8 +1,10 @@
 #include "process/input/csv_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "process/input/scene_error.h"
@@ -14,30 +16,31 @@
 namespace diefill::process {
 namespace {
 
-/// Whether it is a number once its only comma is a point, such as "2,5".
-bool has_decimal_comma(const std::string& cell) {
-  const std::size_t comma = cell.find(',');
-  if (comma == std::string::npos || cell.find(',', comma + 1) != std::string::npos) return false;
-  return std::all_of(cell.begin(), cell.end(), [](char letter) {
-    return std::string_view("0123456789+-,.eE").find(letter) != std::string_view::npos;
-  });
+/// Whether it is made of digits, signs, points and commas, one of which is a comma.
+bool is_number_with_commas(const std::string& cell) {
+  return cell.find(',') != std::string::npos && std::all_of(cell.begin(), cell.end(), [](char letter) {
+           return std::string_view("0123456789+-,.eE").find(letter) != std::string_view::npos;
+         });
 }
 
-/// What to do about a text that is no number.
-std::string remedy(const std::string& cell, bool out_of_range) {
+std::string marks(char separator) {
+  return separator == ';' ? "semicolons" : separator == '\t' ? "tabs" : "commas";
+}
+
+/// What to do about a text that is no number, in a table with this separator.
+std::string remedy(const std::string& cell, bool out_of_range, char separator) {
   if (cell.empty()) return "nothing; give a number or remove the line";
   const std::string found = '"' + one_line(cell) + "\", ";
-  if (has_decimal_comma(cell)) {
+  if (is_number_with_commas(cell)) {
+    if (std::count(cell.begin(), cell.end(), ',') > 1 || cell.find('.') != std::string::npos)
+      return found + "expected one number with a decimal point and without commas, and " + marks(separator) +
+             " between columns, as in the heading";
     std::string point = cell;
     point[cell.find(',')] = '.';
     return found + "a number with a decimal comma; write a decimal point, such as \"" + one_line(point) + '"';
   }
   if (out_of_range) return found + "too large or too small; allowed: 0, and 1e-307 to 1e307 in magnitude";
   return found + "expected a number with a decimal point";
-}
-
-std::string marks(char separator) {
-  return separator == ';' ? "semicolons" : separator == '\t' ? "tabs" : "commas";
 }
 
 /// What separates the columns of a table with this heading. Tabs, as in cells copied out of a spreadsheet,
@@ -47,6 +50,19 @@ char separator_of(const std::string& heading) {
     if (heading.find(separator) != std::string::npos) return separator;
   const std::string_view cells = results::trimmed(heading, " \t\r");
   return cells.find('\t') != std::string_view::npos ? '\t' : ',';
+}
+
+/// What a line such as "sep=;" says, which spreadsheets write above the heading; nothing for other lines, 0
+/// for a mark that separates no columns here.
+std::optional<char> stated_separator(const std::string& line) {
+  constexpr std::string_view kStart = "sep=";
+  const std::size_t first = line.find_first_not_of(" \t\"");
+  if (first == std::string::npos || line.size() < first + kStart.size()) return std::nullopt;
+  for (std::size_t k = 0; k < kStart.size(); ++k)
+    if (std::tolower(static_cast<unsigned char>(line[first + k])) != kStart[k]) return std::nullopt;
+  const std::size_t at = first + kStart.size();
+  const bool known = at < line.size() && std::string_view(";,\t").find(line[at]) != std::string_view::npos;
+  return known ? line[at] : '\0';
 }
 
 /// Another separator than `separator` that a line of `cells` cells has; 0 where there is none.
@@ -104,6 +120,12 @@ bool CsvFile::next() {
   for (std::string line; next_line(line);) {
     if (line.find_first_not_of(" \t\",;") == std::string::npos) continue;
     if (trimmed_cell(line).front() == '#') continue;
+    if (columns_ == 0) {
+      if (const auto stated = stated_separator(line)) {
+        separator_ = *stated;
+        continue;
+      }
+    }
     if (separator_ == 0) separator_ = separator_of(line);
     split(line);
     check_count(line);
@@ -165,7 +187,7 @@ double CsvFile::number(std::size_t cell, const std::string& column) const {
   const bool out_of_range = error == std::errc::result_out_of_range && last == end;
   if (error != std::errc() || last != end || !std::isfinite(value))
     throw SceneError(place(cell) + (column.empty() ? "" : ": column " + column) + ": found " +
-                     remedy(found, out_of_range));
+                     remedy(found, out_of_range, separator_));
   return value;
 }
 

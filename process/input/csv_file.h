@@ -22,8 +22,8 @@ struct CsvHeading {
 CsvHeading csv_heading(const std::string& cell);
 
 /// Walks through a table line by line. Commas, semicolons or tabs separate cells, whichever the heading has;
-/// a cell in quotes may hold them. Empty lines and lines that begin with # are passed over, and a byte order
-/// mark.
+/// a cell in quotes may hold them. Empty lines and lines that begin with # are passed over, a byte order
+/// mark, and a line such as "sep=;" above the heading, which names the separator.
 class CsvFile {
  public:
   /// Throws std::runtime_error as load_text_file() does, and SceneError for text that is not UTF-8. `before`

@@ -47,6 +47,16 @@ std::string unit_of_place(const std::string& name) {
   return name == "azimuth" ? "deg" : "mm";
 }
 
+/// Such as `"deg" (azimuth) or "mm" (height)`: a unit for each kind of place.
+std::string units_of_places(const std::vector<std::string>& places) {
+  std::string text;
+  for (const std::string& name : places) {
+    const std::string unit = '"' + unit_of_place(name) + '"';
+    if (text.find(unit) == std::string::npos) text += (text.empty() ? "" : " or ") + unit + " (" + name + ')';
+  }
+  return text;
+}
+
 }  // namespace
 
 std::optional<PossibleValues> possible_values(const std::string& quantity) {
@@ -103,7 +113,9 @@ void refuse_other_places(const MeasuredTable& table, const std::vector<std::stri
     if (unit.empty() && named)
       throw SceneError(place.where + ": places of " + one_line(table.value.name) + ": " +
                        not_among(place.name, allowed));
-    if (unit.empty()) unit = unit_of_place(allowed.front());
+    if (unit.empty())
+      throw SceneError(place.where + ": found places in \"" + one_line(place.unit) +
+                       "\", allowed: a unit such as " + units_of_places(allowed));
     if (!has_same_dimension(place.unit, unit))
       throw SceneError(place.where + ": found places in \"" + one_line(place.unit) +
                        "\", allowed: a unit such as \"" + unit + '"');

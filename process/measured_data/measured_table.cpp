@@ -1,84 +1,21 @@
 #include "process/measured_data/measured_table.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 
-#include "process/input/csv_file.h"
 #include "process/input/named_file.h"
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
 #include "process/input/unit_conversion.h"
+#include "process/measured_data/deviations.h"
 #include "process/measured_data/known_fields.h"
+#include "process/measured_data/measured_columns.h"
 #include "process/measured_data/places.h"
 
 namespace diefill::process {
 namespace {
-
-constexpr std::size_t kLargest = 16U << 20U;  // bytes of a CSV
-
-/// "mass [g]" as name and unit.
-MeasuredColumn column_of(const std::string& cell, const std::string& where) {
-  const std::size_t open = cell.rfind('[');
-  if (open == std::string::npos || cell.back() != ']')
-    throw SceneError(
-        where + ": column \"" + one_line(cell) +
-        "\" has no unit; write one after the name, as in \"mass [g]\", or \"[1]\" for plain numbers");
-  MeasuredColumn column{trimmed_cell(cell.substr(0, open)),
-                        trimmed_cell(cell.substr(open + 1, cell.size() - open - 2)),
-                        {},
-                        where};
-  try {
-    unit_factor(column.unit, column.unit);
-  } catch (const UnitError& error) {
-    throw SceneError(where + ": column \"" + one_line(cell) + "\": " + error.what());
-  }
-  return column;
-}
-
-/// Into the unit of the values.
-void convert(MeasuredColumn& deviation, const MeasuredColumn& value) {
-  try {
-    const double factor = unit_factor(deviation.unit, value.unit);
-    for (double& number : deviation.values) number *= factor;
-    deviation.unit = value.unit;
-  } catch (const UnitError& error) {
-    throw SceneError(deviation.where + ": deviation in \"" + deviation.unit + "\", value in \"" + value.unit +
-                     "\": " + error.what() + "; give both with their unit");
-  }
-}
-
-/// Where a point's deviation stands: the line of the file, or its own key.
-std::string place_of_deviation(const MeasuredTable& table, std::size_t point) {
-  if (!table.lines.empty()) return table.where_of(point);
-  return table.deviation.where + (table.size() > 1 ? ": point " + std::to_string(point + 1) : "");
-}
-
-/// Throws SceneError for a deviation that no measurement of these values has: chi^2 would be without bounds
-/// or without meaning.
-void check_deviations(const MeasuredTable& table) {
-  constexpr double kOfLargest = 1e9, kWithoutValue = 1e30;  // the latter where all values are 0
-  double largest = 0;
-  for (const double value : table.value.values) largest = std::max(largest, std::abs(value));
-  const double least = largest > 0 ? largest / kOfLargest : 1 / kWithoutValue,
-               most = largest > 0 ? largest * kOfLargest : kWithoutValue;
-  const std::string unit = table.value.unit == "1" ? "" : ' ' + table.value.unit;
-  for (std::size_t k = 0; k < table.size(); ++k) {
-    const double deviation = table.deviation.values[k];
-    const std::string found =
-        place_of_deviation(table, k) + ": the standard deviation is " + number_text(deviation);
-    if (!(deviation > 0))
-      throw SceneError(found +
-                       ", allowed: more than 0; give the standard deviation of repeated measurements");
-    if (deviation < least || deviation > most)
-      throw SceneError(found + unit + ", allowed: " + number_text(least) + " to " + number_text(most) + unit +
-                       (largest > 0 ? ", which is 1e-9 to 1e9 times the largest value" : "") +
-                       "; check the number and its unit");
-  }
-}
 
 /// Drops the repeated end of closed curves and maps. Throws SceneError for anything wrong with points and
 /// deviations.
@@ -128,74 +65,11 @@ MeasuredTable read_inline(TableReader& measurement, std::size_t places, const st
   if (!single) count(kUnnamedPlaces, table.places[0], table.size());
   if (single) count("value", table.value, 1);
   count(key, table.deviation, table.size());
-  convert(table.deviation, table.value);
+  convert_deviation(table.deviation, table.value);
   table.where = table.value.where;
   if (!single) table.places[0].name = place;
   clean(table);
   return table;
-}
-
-/// A CSV of numbers.
-struct Columns {
-  std::vector<MeasuredColumn> columns;
-  std::string where;
-  std::vector<int> lines;  ///< of each row
-};
-
-CsvFile opened(const std::filesystem::path& file) {
-  try {
-    return {file, {"table of measurements", "but measurements are a CSV file", kLargest}};
-  } catch (const SceneError&) {
-    throw;
-  } catch (const std::runtime_error& reason) {
-    throw SceneError(file.string() + ": " + reason.what());
-  }
-}
-
-/// `expected` gives the required number of columns where `count` is wrong; empty: it is right.
-Columns columns_in(const std::filesystem::path& path,
-                   const std::function<std::string(std::size_t)>& expected) {
-  CsvFile file = opened(path);
-  Columns read;
-  read.where = path.string();
-  if (file.next()) {
-    std::vector<std::string> names;
-    const std::size_t count = file.cells().size();
-    if (const std::string instead = expected(count); !instead.empty())
-      throw SceneError(file.place() + ": found " + std::to_string(count) + " columns, expected " + instead);
-    for (std::size_t k = 0; k < count; ++k) {
-      read.columns.push_back(column_of(file.cells()[k], file.place(k)));
-      names.push_back(read.columns.back().name);
-    }
-    file.refuse_twice(names);
-  }
-  while (file.next()) {
-    for (std::size_t k = 0; k < read.columns.size(); ++k) read.columns[k].values.push_back(file.number(k));
-    read.lines.push_back(file.line());
-  }
-  if (read.lines.empty())
-    throw SceneError(path.string() + ": found no measured values; give a heading and a line for each value");
-  return read;
-}
-
-/// By its name, with or without capitals.
-bool is_deviation(const MeasuredColumn& column) {
-  std::string name = column.name;
-  for (char& letter : name) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return name.find("deviation") != std::string::npos;
-}
-
-/// The column of deviations, taken out; nothing where none is called so.
-std::optional<MeasuredColumn> taken_deviation(std::vector<MeasuredColumn>& columns) {
-  const auto found = std::find_if(columns.begin(), columns.end(), is_deviation);
-  if (found == columns.end()) return std::nullopt;
-  MeasuredColumn deviation = std::move(*found);
-  columns.erase(found);
-  const auto second = std::find_if(columns.begin(), columns.end(), is_deviation);
-  if (second != columns.end())
-    throw SceneError(second->where + ": found a second column of deviations, \"" + one_line(second->name) +
-                     "\"; remove one of them");
-  return deviation;
 }
 
 /// Place in place_names(); its size for other columns.
@@ -219,7 +93,7 @@ MeasuredColumn value_among(std::vector<MeasuredColumn> others, const std::string
 }
 
 /// Columns by what they are called.
-MeasuredTable by_names(Columns read) {
+MeasuredTable by_names(MeasuredColumns read) {
   MeasuredTable table;
   table.where = read.where;
   table.lines = std::move(read.lines);
@@ -237,7 +111,7 @@ MeasuredTable by_names(Columns read) {
             [](const auto& one, const auto& other) { return rank_of(one) < rank_of(other); });
   table.deviation = deviation.value_or(table.value);
   if (deviation) {
-    convert(table.deviation, table.value);
+    convert_deviation(table.deviation, table.value);
     check_deviations(table);
   } else {
     table.deviation.values.assign(table.size(), std::numeric_limits<double>::quiet_NaN());
@@ -250,7 +124,7 @@ MeasuredTable by_names(Columns read) {
 /// A profile or map by the names of its columns, whatever its values are. With two columns more than
 /// `places`, the last one holds deviations where none is called so.
 MeasuredTable field_in(const std::filesystem::path& file, std::optional<std::size_t> places = {}) {
-  Columns read = columns_in(file, [](std::size_t count) {
+  MeasuredColumns read = columns_in(file, [](std::size_t count) {
     return count >= 2 && count <= 4
                ? ""
                : "2 to 4: one or two places, the value, and its standard deviation where "
@@ -276,7 +150,8 @@ std::string MeasuredTable::where_of(std::size_t point) const {
 MeasuredTable read_measured_csv(const std::filesystem::path& file, std::size_t places) {
   const std::string wanted = std::to_string(places + 2) + " (" + (places > 0 ? "places, " : "") +
                              "value, standard deviation), separated by commas";
-  Columns read = columns_in(file, [&](std::size_t count) { return count == places + 2 ? "" : wanted; });
+  MeasuredColumns read =
+      columns_in(file, [&](std::size_t count) { return count == places + 2 ? "" : wanted; });
   MeasuredTable table;
   table.where = read.where;
   table.lines = std::move(read.lines);
@@ -289,7 +164,7 @@ MeasuredTable read_measured_csv(const std::filesystem::path& file, std::size_t p
   table.value = std::move(read.columns.back());
   read.columns.pop_back();
   table.places = std::move(read.columns);
-  convert(table.deviation, table.value);
+  convert_deviation(table.deviation, table.value);
   clean(table);
   return table;
 }

@@ -34,7 +34,8 @@ struct MeasuredTable {
 inline constexpr const char* kUnnamedPlaces = "at";
 
 /// Reads a CSV: a header such as `velocity [m/s], mass [g], deviation [g]`, then numbers; lines that begin
-/// with # are comments. A column with "deviation" in its name, with or without capitals, may stand anywhere.
+/// with # are comments. The column of deviations may stand anywhere where its name tells (is_deviation());
+/// otherwise it is the last one.
 /// Throws SceneError, in one line with file, line and column, for a missing unit, two columns of one name, a
 /// wrong number of columns, a text that is no number, a deviation that is not above zero or not within a
 /// factor of 1e9 of the largest value, points of a curve that are not in rising order, azimuths outside -360
@@ -42,7 +43,7 @@ inline constexpr const char* kUnnamedPlaces = "at";
 MeasuredTable read_measured_csv(const std::filesystem::path& file, std::size_t places);
 
 /// Reads a profile or map whose columns say themselves what they are, in any order: one or two places as
-/// place_names() lists them, the value, and its standard deviation where a name has "deviation" in it, such
+/// place_names() lists them, the value, and its standard deviation where a name tells (is_deviation()), such
 /// as `azimuth [deg], fill level [mm]`. Deviations that are not given are NaN. Throws as read_measured_csv(),
 /// for other columns, and for values that the quantity cannot have.
 MeasuredTable read_measured_field(const std::filesystem::path& file);

@@ -80,6 +80,12 @@ TEST(Calibrate, FindsAPlantedFrictionAndWritesAPowderThatScenesUse) {
        {"calibration.html", "calibration.pdf", "calibration.csv", "calibration_points.csv"})
     EXPECT_GT(contents(results / file).size(), 100U) << file;
   EXPECT_EQ(contents(results / "calibration.pdf").substr(0, 4), "%PDF");
+  // One value for one parameter is met by some powder.
+  EXPECT_NE(contents(results / "calibration.html").find("proves nothing: no degree of freedom"),
+            std::string::npos);
+  const std::string powder = contents(results / "powder.toml");
+  for (const char* line : {"scene = \"scene.toml\"\n", "deviation = \"20 mg\"\n", "verdict = \"agrees\"\n"})
+    EXPECT_NE(powder.find(line), std::string::npos) << line;
 
   // The powder in a scene: the run has its friction, and says so where its walls are others.
   const auto& die = calibrated.die();
@@ -258,6 +264,9 @@ TEST(Calibrate, ProfilesMapsChecksAndFinerGrainsGoThrough) {
                 "file = \"map.csv\"\nuse = \"check\"\n[check]\ngrain_diameter = \"0.9 mm\"\n");
   const Outcome outcome = run_program(calibrated.arguments({"--quiet"}));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string finer = "with finer grains (0.9 mm)";
+  EXPECT_NE(outcome.out.find("- " + finer), std::string::npos) << outcome.out;
+  EXPECT_NE(contents(calibrated.out() / "calibration.html").find(finer), std::string::npos);
   const auto account = account_in(calibrated.out());
   const auto& measurements = account.at("measurements");
   ASSERT_EQ(measurements.size(), 3U);
@@ -293,9 +302,17 @@ TEST(Calibrate, PowdersOfItsRegionShowWhatTheirUncertaintyDoes) {
       "preset = \"ASC100.29 A2\"\ngrain_diameter = \"1 mm\"\nfriction = 0.3\nreduced_modulus = \"3 MPa\"\n"
       "damping_over_radius = \"3e5 Pa s/m\"\n",
       "file = \"powder.toml\"\n");
+  die.exchange("file = \"powder.toml\"\n", "file = \"powder.toml\"\nfriction = 0.9\n");
+  const Outcome own = samples("3");
+  EXPECT_EQ(own.exit_code, 2);
+  EXPECT_EQ(own.complaints(), 1U) << own.err;
+  EXPECT_NE(own.err.find("powder.friction: found 0.9, but --powder-samples draws it"), std::string::npos)
+      << own.err;
+  die.exchange("friction = 0.9\n", "");
   const Outcome with = samples("3");
   ASSERT_EQ(with.exit_code, 0) << with.err;
-  EXPECT_NE(with.out.find("by the powder"), std::string::npos) << with.out;
+  EXPECT_NE(with.out.find(" over seeds"), std::string::npos) << with.out;
+  EXPECT_EQ(with.out.find("unknown"), std::string::npos) << with.out;
   const auto spread = nlohmann::json::parse(contents(die.folder() / "spread" / "powder_samples.json"));
   EXPECT_EQ(spread.at("powders").size(), 3U);
   for (const auto& figure : spread.at("figures")) {

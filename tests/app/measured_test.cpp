@@ -104,6 +104,39 @@ TEST(MeasuredData, AVariantWithoutValuesLeavesTheOthersCompared) {
   EXPECT_EQ(wrong.complaints(), 1U) << wrong.err;
 }
 
+TEST(MeasuredData, AreComparedInEachZoneOfTheScene) {
+  const SmallDie die;
+  die.exchange(
+      "[measure]",
+      "[[measure.zone]]\nname = \"far end\"\naxis = [\"-4 mm\", \"0 mm\", \"0 mm\"]\nouter_radius = \"1.5 "
+      "mm\"\n\n[measure]");
+  die.write("photo.csv", "x [mm], y [mm], fill level [mm]\n-4, 0, 3\n-3.6, 0, 3\n-2, 0, 3.5\n");
+  const Outcome outcome =
+      run_program({"compare", die.scene().string(), "--out", die.out().string(), "--quiet", "--no-pictures",
+                   "--measured", (die.folder() / "photo.csv").string()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("mean difference from measured photo in far end, mm"), std::string::npos)
+      << outcome.out;
+  const auto values = comparison_of(die.out()).at("runs").at(0).at("values");
+  EXPECT_TRUE(values.contains("measured_photo_difference_in_far_end")) << values;
+}
+
+TEST(MeasuredData, ThatNoRunCanHaveAreRefusedBeforeAnyRuns) {
+  const SmallDie die;
+  add_variants(die);
+  const auto refused = [&](const std::string& csv, const std::string& part) {
+    die.write("ruler.csv", csv);
+    const Outcome outcome =
+        run_program(compare_arguments(die, {"--quiet", "--measured", (die.folder() / "ruler.csv").string()}));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(die.out()));
+  };
+  refused("azimuth [deg], fill level [mm]\n45, 3\n", "only rings have a fill level over azimuth");
+  refused("height [mm], solid fracton [1]\n2, 0.3\n", "did you mean \"solid fraction\"?");
+}
+
 TEST(MeasuredData, FaultsEndInOneLine) {
   const ZonedDie zoned;
   zoned.die().write("ruler.csv", "azimuth [deg], fill level [mm]\n45, 3\n");

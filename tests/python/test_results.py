@@ -3,6 +3,7 @@ import ast
 import gc
 import json
 import os
+import pickle
 import re
 import subprocess
 import sys
@@ -64,6 +65,38 @@ def test_a_figure_that_does_not_exist_is_bad_input(name, said):
 def test_figures_of_cavities_and_items_have_a_meaning():
     assert diefill.figure_meaning("cavity_2_fill_ratio") == diefill.figure_meaning("fill_ratio")
     assert diefill.figure_meaning("slope_of_left_heap_deg")[0] == "deg"
+
+
+@pytest.mark.parametrize("entries, name, said", [
+    ("figures", "fill_ration", "'fill_ration': no such figure; did you mean 'fill_ratio'?"),
+    ("maps", "nix", "'nix': no such map; allowed: 'solid fraction'"), ("tools", 3, "no such tool; allowed: 'die'"),
+    ("probes", "nix", "no such probe; there is none")])
+def test_a_name_that_is_not_there_is_answered_with_those_that_are(folder, entries, name, said):
+    with pytest.raises(KeyError, match=re.escape(said)) as error:
+        getattr(diefill.read(folder), entries)[name]
+    assert "\n" not in str(error.value)
+
+
+def test_entries_by_name_are_a_dict(folder):
+    figures = diefill.read(folder).figures
+    assert isinstance(figures, dict) and figures.get("nix") is None and "nix" not in figures
+    for copy in (pickle.loads(pickle.dumps(figures)), json.loads(json.dumps(figures))):
+        np.testing.assert_equal(dict(copy), dict(figures))
+
+
+def test_profiles_of_one_quantity_over_two_axes_are_both_there(scene, tmp_path):
+    ring = diefill.new(tmp_path / "ring", kind="ring").file
+    sizes = ('sizes = {distribution = "classes", classes = [{diameter = "2 mm", share = 0.5}, {diameter = "3 mm", '
+             'share = 0.5}]}')
+    ring.write_text(re.sub(r"^grain_diameter = .*$", sizes, ring.read_text(), flags=re.MULTILINE))
+    quick = {key: value for key, value in scene.changes.items() if key != "powder.grain_diameter"}
+    poured = {"pour.from": ["5.2 mm", "-3 mm", "-9.9 mm"], "pour.to": ["10.4 mm", "3 mm", "0 mm"],
+              "pour.fill_height": "4 mm", "step": [{"kind": "wait", "duration": "1 ms"}], "walls.spacing": 1.6}
+    profiles = diefill.Scene(ring, {**quick, **poured}).run(tmp_path / "out", threads=1).profiles
+    assert profiles["fill level"].x_name == "azimuth"
+    for axis in ("height", "azimuth"):
+        assert profiles[f"mean grain diameter over {axis}"].x_name == axis
+    assert "mean grain diameter" not in profiles
 
 
 def test_a_column_of_a_probe_that_is_no_text_is_refused_in_one_line(scene, tmp_path):

@@ -308,7 +308,8 @@ class Results:
         """fields on planes by name of the plane"""
     @property
     def profiles(self) -> Dict[str, Profile]:
-        """curves by quantity"""
+        """curves by quantity; where several have one quantity, by "quantity over axis", such as
+        "mean grain diameter over height" and "mean grain diameter over azimuth"."""
     @property
     def probes(self) -> Dict[str, Probe]:
         """by name in the scene"""

@@ -1,5 +1,6 @@
 #include "process/results/studies/powder_spread.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -13,10 +14,6 @@ namespace diefill::results {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string number(double value, int digits) {
-  return std::isfinite(value) ? csv_number(value, digits) : "unknown";
-}
 
 /// `values` divided by `divisor`.
 Json numbers(std::vector<double> values, double divisor) {
@@ -69,15 +66,38 @@ std::string csv_of(const PowderSpread& spread) {
   return text;
 }
 
+std::size_t known(const std::vector<double>& values) {
+  return static_cast<std::size_t>(
+      std::count_if(values.begin(), values.end(), [](double value) { return std::isfinite(value); }));
+}
+
+/// How many runs have a value, where some have none.
+std::string runs_with_values(const SpreadFigure& figure) {
+  const std::size_t seeds = known(figure.of_seeds), powders = known(figure.of_powders);
+  if (seeds == figure.of_seeds.size() && powders == figure.of_powders.size()) return {};
+  return "; values of " + std::to_string(seeds) + " of " + std::to_string(figure.of_seeds.size()) +
+         " runs of the best powder and of " + std::to_string(powders) + " of " +
+         std::to_string(figure.of_powders.size()) + " powders";
+}
+
 }  // namespace
 
 std::string spread_text(const SpreadFigure& figure) {
-  const std::string unit = unit_behind(figure.unit);
-  const std::string seeds = "+-" + number(figure.scatter, 2) + unit + " over seeds",
-                    start = figure.name + ' ' + number(figure.mean, 4) + unit + ": ";
-  if (!std::isfinite(figure.powder) || figure.significant)
-    return start + "+-" + number(figure.powder, 2) + unit + " by the powder, " + seeds;
-  return start + seeds + "; the effect of the powder cannot be distinguished from the scatter over seeds";
+  const std::string unit = unit_behind(figure.unit), runs = runs_with_values(figure);
+  const auto number = [&](double value, int digits) { return csv_number(value, digits) + unit; };
+  if (!std::isfinite(figure.mean)) return figure.name + ": no value with the powders that were drawn" + runs;
+  const std::string start = figure.name + ' ' + number(figure.mean, 4) + ": ";
+  if (!std::isfinite(figure.scatter) || !std::isfinite(figure.powder))
+    return start +
+           (std::isfinite(figure.scatter) ? "+-" + number(figure.scatter, 2) + " over seeds; "
+                                          : std::string()) +
+           "too few values to tell the effect of the powder" + runs;
+  if (figure.scatter == 0 && figure.spread == 0) return start + "the same in all runs" + runs;
+  const std::string seeds =
+      figure.scatter == 0 ? "no scatter over seeds" : "+-" + number(figure.scatter, 2) + " over seeds";
+  if (figure.significant) return start + "+-" + number(figure.powder, 2) + " by the powder, " + seeds + runs;
+  return start + seeds + "; the effect of the powder cannot be distinguished from the scatter over seeds" +
+         runs;
 }
 
 void write_powder_spread(const std::filesystem::path& directory, const PowderSpread& spread) {

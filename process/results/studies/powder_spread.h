@@ -34,7 +34,7 @@ struct PowderSpread {
 };
 
 /// In one sentence, such as "filled mass 12.1 g: +-0.3 g by the powder, +-0.1 g over seeds", or that the two
-/// cannot be distinguished.
+/// cannot be distinguished; where runs lack a value, how many have one.
 std::string spread_text(const SpreadFigure& figure);
 
 /// Writes `directory`/powder_samples.json and powder_samples.csv, each whole or not at all. Throws

@@ -25,18 +25,19 @@ sphere_radius = "0.15 mm"
 friction = 0.31
 )");
   }
-  Measurement read(const std::string& experiment, const std::string& quantity,
-                   const std::string& unit = "") const {
+  Measurement read(const std::string& experiment, const std::string& quantity, const std::string& unit = "",
+                   const std::string& value = "0.5") const {
     const toml::table parsed =
         toml::parse("[[measurement]]\nname = \"a\"\nkind = \"experiment\"\nexperiment = \"" + experiment +
                     "\"\nscenes = \"" + DIEFILL_SOURCE_DIR + "/sample_tools/laboratory\"\nquantity = \"" +
-                    quantity + "\"\nvalue = \"0.5" + unit + "\"\ndeviation = \"0.1" + unit + "\"\n");
+                    quantity + "\"\nvalue = \"" + value + unit + "\"\ndeviation = \"0.1" + unit + "\"\n");
     TableReader document(parsed, folder_.path() / "calibration.toml", "");
     return read_measurements(document, {folder_.path() / "powder.toml"}).at(0);
   }
-  std::string message_of(const std::string& experiment, const std::string& quantity) const {
+  std::string message_of(const std::string& experiment, const std::string& quantity,
+                         const std::string& unit = "", const std::string& value = "0.5") const {
     try {
-      read(experiment, quantity);
+      read(experiment, quantity, unit, value);
     } catch (const SceneError& error) {
       return error.what();
     }
@@ -68,6 +69,24 @@ TEST_F(Experiments, WithoutScenesAreRefused) {
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;
   }
   EXPECT_NE(message_of("clump_collision", "B01").find("powders of its own"), std::string::npos);
+}
+
+TEST_F(Experiments, WithImpossibleValuesAreRefused) {
+  const auto expect = [&](const std::string& quantity, const std::string& value, const std::string& unit,
+                          const std::string& part) {
+    const std::string experiment = quantity == "theta_O" ? "angle_of_repose" : "powder_sheet";
+    const std::string said = message_of(experiment, quantity, unit, value);
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  };
+  expect("hall_flow", "-30", " s", "found value -30 s, allowed: 0 s or more");
+  expect("apparent_density", "300", " g/cm^3", "found value 300 g/cm^3, allowed: 0 to 7.87 g/cm^3");
+  expect("hausner", "0.5", "", "found value 0.5, allowed: 1 or more");
+  expect("theta_O", "390", " deg", "found value 390 deg, allowed: 0 to 90 deg");
+  expect("apparent_fraction", "38", "", "found value 38, allowed: 0 to 1");
+  expect("hall_flow", "30", " s", "no message");
+  expect("apparent_density", "3", " g/cm^3", "no message");
+  expect("hausner", "1.2", "", "no message");
 }
 
 TEST_F(Experiments, TakeTheStartingPowderWithItsWalls) {

@@ -186,6 +186,32 @@ TEST_F(ChangedCalibration, AKeyToRunOverThatTheSceneLacksIsNamedByItsLine) {
       {"calibration.toml:16:8: measurement.file: found \"masses.csv\"", "over = \"step.1.velocity\""});
 }
 
+TEST_F(ChangedCalibration, AKeyThatIsAParameterIsNeitherSetNorRunOver) {
+  write("masses.csv", "friction [1], mass [g], deviation [g]\n0.1, 20, 1\n0.2, 18, 1\n");
+  const std::string value = "value = \"20 g\"\ndeviation = \"1 g\"",
+                    parameter = "powder.friction is a [[parameter]] of this calibration";
+  expect_one_line_with(refusal(value, "file = \"masses.csv\"\nover = \"powder.friction\""),
+                       {"calibration.toml:17:8: measurement.over: " + parameter});
+  for (const char* set : {"powder.friction = 0.3", "powder = {friction = 0.3}"})
+    expect_one_line_with(refusal(value, value + "\nset = '" + set + "'"),
+                         {"calibration.toml:18:7: measurement.set: " + parameter});
+  EXPECT_EQ(refusal(value, value + "\nset = 'walls.friction = 0.3'"), "no message");
+}
+
+TEST_F(ChangedCalibration, AKeyThatNoExperimentVariesIsNotRunOver) {
+  const std::string value = "value = \"20 g\"\ndeviation = \"1 g\"";
+  for (const std::string key : {"title", "seed", "numerics.time_step_fraction"})
+    expect_one_line_with(
+        refusal(value, value + "\nover = \"" + key + '"'),
+        {"calibration.toml:18:8: measurement.over: found \"" + key + "\", allowed: a key that"});
+}
+
+TEST_F(ChangedCalibration, AFigureOfTheComputationIsNoMeasurement) {
+  for (const std::string figure : {"wall_seconds", "steps", "finished", "cavity_2_solid_fraction_grains"})
+    expect_one_line_with(refusal("filled_mass_kg", figure),
+                         {"measurement.figure: found \"" + figure + "\", this figure is of the computation"});
+}
+
 TEST_F(ChangedCalibration, AMissingOrWronglyEncodedFileIsCalledACalibration) {
   expect_one_line_with(message_of([&] { read_calibration(folder_.path() / "none.toml"); }),
                        {"found no such calibration file", "my_powder.toml"});

@@ -158,6 +158,9 @@ TEST_F(Measurements, OfProfilesAndMapsThatNoResultHasAreRefused) {
   expect(profile + "\"fill levl\"\n" + lists, "profile: found \"fill levl\", allowed: \"fill level\"");
   expect(profile + "\"fill levl\"\n" + lists, "did you mean \"fill level\"?");
   expect(profile + "\"fill level over azimuth\"\n" + lists, "allowed: a unit such as \"deg\"");
+  expect(
+      profile + "\"fill level\"\nat = [\"1\", \"2\"]\nvalues = [\"3 mm\", \"4 mm\"]\ndeviations = \"1 mm\"\n",
+      "found places in \"1\", allowed: a unit such as \"deg\" (azimuth) or \"mm\" (distance along the");
   const std::string csv = "x [mm], y [mm], solid fraction [1], deviation [1]\n1, 2, 0.3, 0.01\n";
   EXPECT_EQ(message_of(map + "\"solid fraction\"\n", csv), "no message");
   // A name of the plant's own, and deviations in the last column.

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "process/calibration/powder_samples.h"
+#include "process/results/none.h"
 #include "process/results/studies/quantiles.h"
 
 namespace diefill::results {
@@ -19,8 +19,40 @@ TEST(PowderSpread, IsANumberOnlyWhereItIsSignificant) {
   EXPECT_EQ(spread_text(figure),
             "filled mass 12.1 g: +-0.1 g over seeds; the effect of the powder cannot be distinguished from "
             "the scatter over seeds");
-  figure.powder = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(spread_text(figure), "filled mass 12.1 g: +-unknown g by the powder, +-0.1 g over seeds");
+}
+
+TEST(PowderSpread, SaysHowManyRunsHaveAValueWhereSomeLackIt) {
+  SpreadFigure figure{"fill_height_mm",
+                      "fill height",
+                      "mm",
+                      {12, kNone},
+                      {12.1, kNone, 12.1},
+                      12,
+                      kNone,
+                      12.1,
+                      0.2,
+                      kNone,
+                      false};
+  EXPECT_EQ(
+      spread_text(figure),
+      "fill height 12.1 mm: too few values to tell the effect of the powder; values of 1 of 2 runs of the "
+      "best powder and of 2 of 3 powders");
+  figure.of_powders = {kNone, kNone, kNone};
+  figure.mean = figure.spread = kNone;
+  EXPECT_EQ(
+      spread_text(figure),
+      "fill height: no value with the powders that were drawn; values of 1 of 2 runs of the best powder "
+      "and of 0 of 3 powders");
+}
+
+TEST(PowderSpread, ThatIsRoundingAloneIsNone) {
+  std::vector<ComparedRun> runs(5);
+  for (std::size_t k = 0; k < runs.size(); ++k) runs[k].values["share"] = k % 2 == 0 ? 0.3 : 0.1 + 0.2;
+  const SpreadFigure figure = process::calibration::spread_of({"share", "share", "1", {}}, runs, 2);
+  EXPECT_EQ(figure.scatter, 0);
+  EXPECT_EQ(figure.spread, 0);
+  EXPECT_FALSE(figure.significant);
+  EXPECT_EQ(spread_text(figure), "share 0.3: the same in all runs");
 }
 
 TEST(PowderSpread, OfAnglesCountsRoundTheCircle) {

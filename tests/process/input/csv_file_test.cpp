@@ -61,6 +61,15 @@ TEST_F(CsvTable, MayBeSeparatedByTabs) {
             "this line has semicolons; use one of them throughout, and decimal points");
 }
 
+TEST_F(CsvTable, MayNameItsSeparatorAboveTheHeading) {
+  const std::vector<double> all = {1, 2.5};
+  EXPECT_EQ(numbers("sep=;\na;b\n1;2.5\n"), all);
+  EXPECT_EQ(numbers("\xEF\xBB\xBFSep=,\r\na,b\r\n1,2.5\r\n"), all);
+  EXPECT_EQ(numbers("sep=\t\na\tb\n1\t2.5\n"), all);
+  EXPECT_EQ(numbers("\"sep=;\"\na;b\n1;2.5\n"), all);
+  EXPECT_EQ(complaint("a;b\nsep=;\n1;2\n").substr(0, 8), "t.csv:2:");
+}
+
 TEST_F(CsvTable, HeadingsHaveNamesAndUnits) {
   for (const char* text : {"mass [g/s]", "mass (g/s)", "mass g/s"}) {
     EXPECT_EQ(csv_heading(text).name, "mass") << text;
@@ -88,6 +97,11 @@ TEST_F(CsvTable, DecimalCommasAreNamed) {
   EXPECT_EQ(complaint("a,b\n2,5,0,3\n"),
             "t.csv:2: found 4 values, expected 2, one per column; if these are decimal commas, write decimal "
             "points");
+  // A comma that is none of a number, and one between thousands.
+  EXPECT_EQ(complaint("a;b\n1;0.3,0.02\n"),
+            "t.csv:2:3: found \"0.3,0.02\", expected one number with a decimal point and without commas, and "
+            "semicolons between columns, as in the heading");
+  EXPECT_NE(complaint("a;b\n1;1,234,5\n").find("without commas, and semicolons"), std::string::npos);
   EXPECT_EQ(complaint("a,b\n2;3\n"),
             "t.csv:2: found 1 values, expected 2, one per column: the heading separates columns by commas, "
             "this line has semicolons; use one of them throughout, and decimal points");

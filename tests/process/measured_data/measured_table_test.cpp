@@ -6,6 +6,7 @@
 
 #include "process/input/scene_error.h"
 #include "process/input/unit_conversion.h"
+#include "process/measured_data/deviations.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::process {
@@ -70,6 +71,42 @@ TEST_F(MeasuredCsv, DeviationsMayBeCalledSoWithCapitals) {
     EXPECT_EQ(table.value.values[0], 12) << name;
     EXPECT_EQ(table.deviation.values[0], 0.3) << name;
   }
+}
+
+TEST_F(MeasuredCsv, DeviationsMayHaveOtherNamesOfThem) {
+  for (const char* name : {"sigma", "\xCF\x83", "std", "std. dev.", "StdDev", "SD", "error", "standard error",
+                           "uncertainty", "sigma_m"}) {
+    const MeasuredTable table = read("speed [m/s]," + std::string(name) + " [g],mass [g]\n0.1,0.3,12\n");
+    EXPECT_EQ(table.value.values[0], 12) << name;
+    EXPECT_EQ(table.deviation.values[0], 0.3) << name;
+  }
+  // The name of a value that has one of these words in it, and a stress.
+  EXPECT_EQ(read("sigma [kPa],s [kPa]\n12,0.3\n", 0).value.values[0], 12);
+  EXPECT_EQ(read("standard mass [g],s [g]\n12,0.3\n", 0).value.values[0], 12);
+  EXPECT_EQ(read("error of the level [mm],deviation [mm]\n12,0.3\n", 0).value.values[0], 12);
+  EXPECT_NE(
+      complaint("error [g],std [g]\n12,3\n", 0)
+          .find("data.csv:1:11: found a second column of deviations, \"std\"; remove one of them, or call "
+                "the right one \"deviation\""),
+      std::string::npos)
+      << complaint("error [g],std [g]\n12,3\n", 0);
+  EXPECT_NE(complaint("mass [g],relative error [%]\n12,3\n", 0).find("in the unit of the values"),
+            std::string::npos);
+}
+
+TEST_F(MeasuredCsv, DeviationsThatMostlyExceedTheValuesAreRemarkedOn) {
+  EXPECT_EQ(remark_on_deviations(read("s [g],mass [g]\n0.3,12\n", 0)),
+            "its deviation exceeds its value; check that value and deviation are not swapped");
+  const std::string head = "speed [m/s],mass [g],s [g]\n";
+  EXPECT_EQ(remark_on_deviations(read(head + "0.1,1,2\n0.2,-1,3\n0.3,9,3\n")).substr(0, 46),
+            "2 of its 3 deviations exceed their values; che");
+  EXPECT_EQ(remark_on_deviations(read(head + "0.1,1,2\n0.2,8,3\n")), "");
+}
+
+TEST_F(MeasuredCsv, AnEmptyUnitIsNone) {
+  EXPECT_NE(
+      complaint("fraction [],s [1]\n0.3,0.1\n", 0).find("data.csv:1:1: column \"fraction []\" has no unit"),
+      std::string::npos);
 }
 
 TEST_F(MeasuredCsv, EachFaultIsNamedInOneLineWithItsLine) {

@@ -30,8 +30,8 @@ constexpr Variant kVariants[] = {{"as published", ""},
 
 LabRun oscillation_run(const LabSetting& setting, const Variant& variant) {
   LabRun run{variant.name, "../narrow_ring/strategies/rotation_after.toml", {}};
-  run.changes.set = ring_keys(setting, "../") + line("step.4.frequency", "\"8 Hz\"") +
-                    line("step.3.name", "\"cleared\"") + variant.set +
+  run.changes.under = ring_keys(setting, "../") + line("step.4.frequency", "\"8 Hz\"");
+  run.changes.set = line("step.3.name", "\"cleared\"") + variant.set +
                     "[[snapshot]]\nname = \"filled\"\nwhen = { after = \"cleared\" }\n";
   return run;
 }
