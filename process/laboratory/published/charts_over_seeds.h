@@ -12,7 +12,8 @@ namespace diefill::process::laboratory {
 /// - curves become the mean over seeds at the points of the longest, with its standard deviation, where the
 ///   points of the others are among these,
 /// - other curves are those of the first seed that has them.
-/// A chart of `first_seed_only` is that of the first seed. The subtitle says which. Series without a finite value are left out.
+/// A chart of `first_seed_only` is that of the first seed. The subtitle says which. Series without a finite
+/// value are left out.
 std::vector<results::ExperimentChart> charts_over_seeds(
     std::vector<std::vector<results::ExperimentChart>> of_seeds);
 
