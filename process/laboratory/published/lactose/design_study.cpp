@@ -69,7 +69,11 @@ double largest_other(const Effects& all, const std::vector<Factor>& but) {
 
 double agreeing(const Effects& all, const std::vector<SignedFactor>& signs) {
   double count = 0;
-  for (const auto& [factor, sign] : signs) count += sign * of(all, factor) > 0 ? 1 : 0;
+  for (const auto& [factor, sign] : signs) {
+    const double effect = of(all, factor);
+    if (!std::isfinite(effect)) return kNone;
+    count += sign * effect > 0 ? 1 : 0;
+  }
   return count / static_cast<double>(signs.size());
 }
 

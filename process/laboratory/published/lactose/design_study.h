@@ -40,7 +40,7 @@ double of(const Effects& all, Factor factor);
 double largest_other(const Effects& all, const std::vector<Factor>& but);
 
 using SignedFactor = std::pair<Factor, int>;  ///< and the published sign of its effect
-/// Share of factors whose effect has the published sign.
+/// Share of factors whose effect has the published sign; NaN where an effect is not known.
 double agreeing(const Effects& all, const std::vector<SignedFactor>& signs);
 
 /// A quantity that takes all runs.

@@ -59,6 +59,7 @@ double of_negligible(const Study& study, const SeedResults& seed) {
   double largest = 0;
   for (const NamedMetric& metric : study.metrics) {
     const auto all = effects_of(study, seed, metric.value);
+    if (!std::isfinite(all.front())) return std::numeric_limits<double>::quiet_NaN();
     for (const Factor factor :
          {Factor::restitution, Factor::damping_ratio, Factor::tangential_ratio, Factor::dynamic_ratio})
       largest = std::max(largest, std::abs(of(all, factor)) / largest_other(all, {}));

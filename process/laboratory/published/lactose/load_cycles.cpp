@@ -26,6 +26,8 @@ double height_at(const LoadCurve& curve, std::size_t k, double stress) {
 
 Stiffness stiffness_of(const LoadCurve& curve, const LoadCycle& loads) {
   constexpr double kWithin = 0.01;
+  // Rows are means over a time: none need show a load that was reached for an instant.
+  constexpr double kShown = 0.98, kLeft = 0.97, kNearLow = 1.1;
   Stiffness found;
   std::size_t k = reach(curve, 0, (1 - kWithin) * loads.high, true);
   if (k >= curve.stress.size()) return found;
@@ -34,17 +36,17 @@ Stiffness stiffness_of(const LoadCurve& curve, const LoadCycle& loads) {
   double loading = 0, unloading = 0;
   for (int cycle = 0; cycle < loads.cycles; ++cycle) {
     // The place and load from which it unloads: the last row near the high load.
-    const std::size_t down = reach(curve, k, (1 - 3 * kWithin) * loads.high, false);
+    const std::size_t down = reach(curve, k, kLeft * loads.high, false);
     const std::size_t half_down = reach(curve, down, loads.half, false);
-    const std::size_t low = reach(curve, half_down, (1 + kWithin) * loads.low, false);
-    const std::size_t up = reach(curve, low, (1 + 10 * kWithin) * loads.low, true);
+    const std::size_t low = reach(curve, half_down, kNearLow * loads.low, false);
+    const std::size_t up = reach(curve, low, kNearLow * loads.low, true);
     const std::size_t half_up = reach(curve, up, loads.half, true);
     if (half_up >= curve.stress.size()) return {found.beta, kNone, kNone};
     unloading += (curve.stress[down - 1] - loads.half) * first /
                  (height_at(curve, half_down, loads.half) - curve.height[down - 1]);
     loading += (loads.half - curve.stress[up - 1]) * first /
                (curve.height[up - 1] - height_at(curve, half_up, loads.half));
-    k = reach(curve, half_up, (1 - kWithin) * loads.high, true);
+    k = reach(curve, half_up, kShown * loads.high, true);
   }
   found.loading = loading / loads.cycles;
   found.unloading = unloading / loads.cycles;

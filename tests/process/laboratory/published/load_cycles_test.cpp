@@ -39,6 +39,21 @@ TEST(LoadCycles, ChordsOfAKnownCurve) {
   EXPECT_NEAR(found.loading, 2e6, 0.02e6);
 }
 
+/// Rows are means over a time: 525 Pa for 500 Pa that was reached for an instant, 14.7 kPa for 15 kPa.
+TEST(LoadCycles, CountWhereNoRowShowsTheLoadItself) {
+  LoadCurve curve;
+  curve.height = {1.25e-3}, curve.stress = {50};
+  go_to(curve, 1e-3, 15e3);
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    go_to(curve, 1e-3 * (1 + 14.475e3 / 3e6), 525);
+    go_to(curve, 1e-3 * (1 + 14.475e3 / 3e6 - 6.975e3 / 2e6), 7.5e3);
+    go_to(curve, 1e-3, 14.75e3);
+  }
+  const Stiffness found = stiffness_of(curve, {});
+  EXPECT_NEAR(found.unloading, 3e6, 0.1e6);
+  EXPECT_NEAR(found.loading, 2e6, 0.02e6);
+}
+
 TEST(LoadCycles, ACurveThatEndsTooSoonHasNoStiffness) {
   LoadCurve curve;
   curve.height = {1.25e-3}, curve.stress = {50};
