@@ -47,7 +47,7 @@ geometry::WallSpheres spheres_of(const Scene& scene, const Tool& tool, double gr
   const auto make = [&] {
     return period[0] || period[1] || period[2]
                ? make_periodic_wall_spheres(tool.mesh, options,
-                                            periodic_path(scene, tool.spec.name, grain_diameter),
+                                            periodic_path(scene, tool.spec, grain_diameter),
                                             2 * grain_diameter, where)
                : geometry::make_wall_spheres(tool.mesh, tool.solid(), options);
   };
@@ -95,8 +95,8 @@ geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_d
 
 /// The surface that powder meets where the mesh itself is the wall.
 geometry::Mesh wall_mesh(const Scene& scene, const Tool& tool, double grain_diameter) {
-  return periodic_wall_mesh(tool.mesh, periodic_path(scene, tool.spec.name, grain_diameter),
-                            4 * grain_diameter, tool_text(scene, tool.spec));
+  return periodic_wall_mesh(tool.mesh, periodic_path(scene, tool.spec, grain_diameter), 4 * grain_diameter,
+                            tool_text(scene, tool.spec));
 }
 
 void refuse_leaks(const Scene& scene, const Tool& tool, double smallest_radius) {

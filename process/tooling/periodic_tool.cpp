@@ -16,7 +16,8 @@ std::string name_of(Eigen::Index axis) {
 /// Whether the tool stays within the period, by the clearance, wherever it moves.
 bool stays_within(const geometry::Box& box, const PeriodicPath& path, Eigen::Index axis) {
   const double room = 0.5 * *path.period[static_cast<std::size_t>(axis)] - path.clearance;
-  return box.lower[axis] + path.lowest[axis] >= -room && box.upper[axis] + path.highest[axis] <= room;
+  return path.may_stand_within && box.lower[axis] + path.lowest[axis] >= -room &&
+         box.upper[axis] + path.highest[axis] <= room;
 }
 
 /// The cross-section at one end: the other two coordinates of its vertices, in order.
@@ -97,15 +98,17 @@ double way_along(const PeriodicPath& path, Eigen::Index axis) {
 
 }  // namespace
 
-PeriodicPath periodic_path(const Scene& scene, const std::string& tool, double clearance) {
+PeriodicPath periodic_path(const Scene& scene, const ToolSpec& tool, double clearance) {
   constexpr int kInstants = 200;  // of every step that moves a tool
-  PeriodicPath path{.period = scene.numerics.period, .clearance = clearance};
+  PeriodicPath path{.period = scene.numerics.period,
+                    .clearance = clearance,
+                    .may_stand_within = tool.role == ToolRole::punch || tool.role == ToolRole::core};
   if (!path.period[0] && !path.period[1] && !path.period[2]) return path;
   const Stages stages(scene);
-  if (!stages.moves(tool)) return path;
+  if (!stages.moves(tool.name)) return path;
   const auto states = predicted(stages, kSettlingGuess);
   for (const double time : instants(stages, states, kInstants)) {
-    const ToolPose pose = pose_of(stages, states, tool, time);
+    const ToolPose pose = pose_of(stages, states, tool.name, time);
     path.lowest = path.lowest.cwiseMin(pose.translation);
     path.highest = path.highest.cwiseMax(pose.translation);
     path.turns = path.turns || !pose.rotation.isIdentity(1e-9);

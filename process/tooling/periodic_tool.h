@@ -13,14 +13,16 @@ namespace diefill::process {
 struct PeriodicPath {
   std::array<std::optional<double>, 3> period;        ///< m
   double clearance = 0;                               ///< m, from both borders of tools within a period
+  bool may_stand_within = true;                       ///< the period, without reaching across
   Eigen::Vector3d lowest = Eigen::Vector3d::Zero();   ///< m, displacements during the scene, 0 or less
   Eigen::Vector3d highest = Eigen::Vector3d::Zero();  ///< m, 0 or more
   bool turns = false;
 };
 
-/// The path of `tool` as the steps of the scene, which must have been prepared, move it; displacements under
-/// force control and of free tools are not known and left out. `clearance`: m.
-PeriodicPath periodic_path(const Scene& scene, const std::string& tool, double clearance);
+/// The path of a tool as the steps of the scene, which must have been prepared, move it; displacements under
+/// force control and of free tools are not known and left out. Punches and core rods may stand within a
+/// period; what holds powder, such as a die, would leave gaps. `clearance`: m.
+PeriodicPath periodic_path(const Scene& scene, const ToolSpec& tool, double clearance);
 
 /// Wall spheres of `mesh` (m), made for one period along the periodic axes and repeated as far as `margin`
 /// (m) and the tool's way beyond the box. Without periods simply make_wall_spheres(). Throws SceneError

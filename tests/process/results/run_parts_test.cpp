@@ -148,6 +148,9 @@ TEST(PeriodicWall, StandsInEveryPeriodWhereItsToolStaysWithinOne) {
   PeriodicPath moving = path;
   moving.highest[1] = 1e-3;
   EXPECT_THROW(make_periodic_wall_spheres(blade, options, moving, 4e-3, "blade"), SceneError);
+  PeriodicPath of_a_die = path;
+  of_a_die.may_stand_within = false;
+  EXPECT_THROW(make_periodic_wall_spheres(blade, options, of_a_die, 4e-3, "die"), SceneError);
 }
 
 Scene open_box(const std::string& preset) {
