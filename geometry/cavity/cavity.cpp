@@ -56,13 +56,14 @@ VoxelGrid fine_grid(const CavityRegion& found, const Box& space) {
 // The shape of a region from the tools' outlines; not found where there are none.
 Cavity read_off(const CavityRegion& region, const std::vector<const Mesh*>& solids, double fill_plane) {
   Cavity cavity;
-  const auto slices = cavity_slices(region, solids);
+  const auto layers = layer_parts(region);
+  const auto slices = without_tapering_ends(region, layers, cavity_slices(region, layers, solids));
   if (slices.empty()) return cavity;
   cavity.found = true;
   cavity.box = region.box;
   cavity.volume = region.volume;
   const auto ring = fit_ring(slices, region.grid.edge);
-  const auto narrowest = ring ? ring->narrowest : narrowest_width(region, slices);
+  const auto narrowest = ring ? ring->narrowest : narrowest_width(region, layers, slices);
   cavity.narrowest_width = narrowest.width;
   cavity.narrowest_place = narrowest.place;
   const Eigen::Vector2d axis =

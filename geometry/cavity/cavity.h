@@ -24,7 +24,8 @@ struct Cavity {
   double outer_radius = 0;      ///< ring only: largest outer radius over the height
   Box box;                      ///< around the cavity; its top is the fill plane
   double volume = 0;            ///< m^3
-  double narrowest_width = 0;  ///< smallest horizontal width over the height (thickness between facing walls)
+  double narrowest_width = 0;   ///< smallest horizontal width over the height (thickness between facing
+                                ///< walls), without the tips of tapering ends (up to 2 % of the volume)
   Eigen::Vector3d narrowest_place = Eigen::Vector3d::Zero();
 };
 

@@ -47,15 +47,16 @@ double distance_to(const OutlinePiece& wall, const Eigen::Vector2d& point) {
   return (point - wall.from - part * along).norm();
 }
 
-CavityWidth largest_circle(const CavityRegion& region, const CavitySlice& slice) {
+CavityWidth largest_circle(const CavityRegion& region, const LayerParts& layers, const CavitySlice& slice) {
   const auto& grid = region.grid;
   const Eigen::Vector2d voxels = (region.box.size() / grid.edge).head<2>();
   const int stride = std::max(1, static_cast<int>(std::sqrt(voxels.prod() / kCirclesASlice)));
+  const int layer = layers.parts[slice.part].layer;
   CavityWidth largest;
   for (int j = 0; j < grid.counts.y(); j += stride) {
     for (int i = 0; i < grid.counts.x(); i += stride) {
-      if (!region.inside[grid.index(i, j, slice.layer)]) continue;
-      const Eigen::Vector3d centre = grid.centre({i, j, slice.layer});
+      if (layers.part_at[grid.index(i, j, layer)] != static_cast<std::int32_t>(slice.part)) continue;
+      const Eigen::Vector3d centre = grid.centre({i, j, layer});
       double radius = 1e300;
       for (const auto& wall : slice.walls) radius = std::min(radius, distance_to(wall, centre.head<2>()));
       if (2 * radius > largest.width) largest = {2 * radius, centre};
@@ -64,7 +65,59 @@ CavityWidth largest_circle(const CavityRegion& region, const CavitySlice& slice)
   return largest;
 }
 
-CavityWidth slice_width(const CavityRegion& region, const CavitySlice& slice) {
+// The part whose voxel lies a voxel's edge in front of the wall. Walls inside other tools have solid there.
+std::optional<std::size_t> part_at_wall(const VoxelGrid& grid, const LayerParts& layers,
+                                        const OutlinePiece& wall, double height) {
+  const Eigen::Vector2d front = wall.middle() + wall.normal * grid.edge;
+  const Eigen::Vector3i voxel = grid.voxel_at({front.x(), front.y(), height});
+  if (!grid.has(voxel)) return std::nullopt;
+  const std::int32_t part = layers.part_at[grid.index(voxel.x(), voxel.y(), voxel.z())];
+  if (part < 0) return std::nullopt;
+  return static_cast<std::size_t>(part);
+}
+
+// Follows the ends upwards: a part belongs to one if all below it does, and it is narrower than what lies on
+// it.
+class TaperingEnds {
+ public:
+  TaperingEnds(const CavityRegion& region, const LayerParts& layers, const std::vector<CavitySlice>& slices)
+      : layers_(layers), widths_(layers.parts.size(), 0.0), tapers_(layers.parts.size(), false) {
+    std::size_t all = 0;
+    for (const LayerPart& part : layers.parts) all += part.voxels;
+    const auto most = static_cast<std::size_t>(kLargestEnd * static_cast<double>(all));
+    for (const CavitySlice& slice : slices)
+      if (is_end_or_lies_on_one(slice.part, most))
+        widths_[slice.part] = slice_width(region, layers, slice).width;
+    for (std::size_t k = 0; k < layers.parts.size(); ++k) tapers_[k] = tapers(k, most, region.grid.edge);
+  }
+  bool hold(const CavitySlice& slice) const { return tapers_[slice.part]; }
+
+ private:
+  static constexpr double kLargestEnd = 0.02;  // of the cavity's volume
+  static constexpr double kGrowth = 0.2;       // of the height, in width, from which on walls taper
+
+  bool is_end_or_lies_on_one(std::size_t k, std::size_t most) const {
+    const LayerPart& part = layers_.parts[k];
+    return part.down <= most || std::any_of(part.below.begin(), part.below.end(), [&](std::size_t lower) {
+             return layers_.parts[lower].down <= most;
+           });
+  }
+  bool tapers(std::size_t k, std::size_t most, double edge) const {
+    const LayerPart& part = layers_.parts[k];
+    if (part.down > most || !part.above) return false;
+    for (const std::size_t lower : part.below)
+      if (!tapers_[lower]) return false;
+    return widths_[*part.above] > widths_[k] + kGrowth * edge;
+  }
+
+  const LayerParts& layers_;
+  std::vector<double> widths_;  // m, by part; 0 where it has no walls
+  std::vector<bool> tapers_;
+};
+
+}  // namespace
+
+CavityWidth slice_width(const CavityRegion& region, const LayerParts& layers, const CavitySlice& slice) {
   CavityWidth narrowest{1e300, {}};
   for (const auto& wall : slice.walls) {
     const auto distance = facing_distance(wall, slice.walls);
@@ -72,37 +125,40 @@ CavityWidth slice_width(const CavityRegion& region, const CavitySlice& slice) {
     const Eigen::Vector2d place = wall.middle() + wall.normal * *distance / 2;
     narrowest = {*distance, {place.x(), place.y(), slice.height}};
   }
-  return narrowest.width < 1e300 ? narrowest : largest_circle(region, slice);
+  return narrowest.width < 1e300 ? narrowest : largest_circle(region, layers, slice);
 }
 
-// A voxel's edge in front of the wall one is in the cavity. Walls inside other tools have solid there.
-bool borders(const CavityRegion& region, const OutlinePiece& wall, double height) {
-  const Eigen::Vector2d front = wall.middle() + wall.normal * region.grid.edge;
-  const Eigen::Vector3i voxel = region.grid.voxel_at({front.x(), front.y(), height});
-  return region.grid.has(voxel) && region.inside[region.grid.index(voxel.x(), voxel.y(), voxel.z())] != 0;
-}
-
-}  // namespace
-
-std::vector<CavitySlice> cavity_slices(const CavityRegion& region, std::span<const Mesh* const> solids) {
-  std::vector<CavitySlice> slices;
-  for (int k = 0; k < region.grid.counts.z(); ++k) {
-    CavitySlice slice{region.grid.centre({0, 0, k}).z(), k, {}};
-    if (slice.height < region.box.lower.z()) continue;
-    for (const auto* solid : solids) {
-      for (const auto& wall : slice_outline(*solid, slice.height, kLongestPiece)) {
-        if (borders(region, wall, slice.height)) slice.walls.push_back(wall);
-      }
-    }
-    if (!slice.walls.empty()) slices.push_back(std::move(slice));
+std::vector<CavitySlice> cavity_slices(const CavityRegion& region, const LayerParts& layers,
+                                       std::span<const Mesh* const> solids) {
+  std::vector<CavitySlice> slices(layers.parts.size());
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    slices[k].part = k;
+    slices[k].height = region.grid.centre({0, 0, layers.parts[k].layer}).z();
   }
+  for (int layer = 0; layer < region.grid.counts.z(); ++layer) {
+    const double height = region.grid.centre({0, 0, layer}).z();
+    if (height < region.box.lower.z()) continue;
+    for (const auto* solid : solids)
+      for (const auto& wall : slice_outline(*solid, height, kLongestPiece))
+        if (const auto part = part_at_wall(region.grid, layers, wall, height))
+          slices[*part].walls.push_back(wall);
+  }
+  std::erase_if(slices, [](const CavitySlice& slice) { return slice.walls.empty(); });
   return slices;
 }
 
-CavityWidth narrowest_width(const CavityRegion& region, const std::vector<CavitySlice>& slices) {
+std::vector<CavitySlice> without_tapering_ends(const CavityRegion& region, const LayerParts& layers,
+                                               std::vector<CavitySlice> slices) {
+  const TaperingEnds ends(region, layers, slices);
+  std::erase_if(slices, [&](const CavitySlice& slice) { return ends.hold(slice); });
+  return slices;
+}
+
+CavityWidth narrowest_width(const CavityRegion& region, const LayerParts& layers,
+                            const std::vector<CavitySlice>& slices) {
   CavityWidth narrowest{1e300, {}};
   for (const auto& slice : slices) {
-    const auto width = slice_width(region, slice);
+    const auto width = slice_width(region, layers, slice);
     if (width.width > 0 && width.width < narrowest.width) narrowest = width;
   }
   return narrowest.width < 1e300 ? narrowest : CavityWidth{};

@@ -215,6 +215,77 @@ TEST(Cavity, RectangularDieIsTwelveMillimetresWide) {
   EXPECT_NEAR(cavity.box.lower.z(), -15e-3, 1e-8);
 }
 
+// A bar along y, 12 mm long, with the cross-section `polygon` in x and z (mm, counter-clockwise).
+Mesh bar_mm(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& hub) {
+  std::vector<Eigen::Vector2d> corners;
+  for (const auto& corner : polygon) corners.push_back(corner * kMillimetre);
+  Eigen::Matrix3d upright;
+  upright << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  return transformed(sample::prism(corners, hub * kMillimetre, 12e-3), upright, {0, 12e-3, 0});
+}
+
+// A groove of 8 mm, straight down to z = -6 mm, then closing at 45 degrees down to `floor` mm, where it is
+// flat.
+std::vector<Mesh> groove(double floor) {
+  const double half = 4 - (-6 - floor);
+  return {bar_mm({{-10, -12}, {-half, -12}, {-half, floor}, {-4, -6}, {-4, 0}, {-10, 0}}, {-8, -11}),
+          bar_mm({{half, -12}, {10, -12}, {10, 0}, {4, 0}, {4, -6}, {half, floor}}, {8, -11}),
+          box_mm({-10, 0, -14}, {10, 12, floor}), box_mm({-10, -2, -14}, {10, 0, 0}),
+          box_mm({-10, 12, -14}, {10, 14, 0})};
+}
+
+TEST(Cavity, TipOfGrooveIsLeftOutUpToTwoPerCentOfTheVolume) {
+  const auto cavity = cavity_of(groove(-10));
+  ASSERT_TRUE(cavity.found);
+  EXPECT_NEAR(cavity.volume, 64 * 12e-9, 0.01 * 64 * 12e-9);
+  EXPECT_NEAR(cavity.narrowest_width, 2e-3 * std::sqrt(0.02 * 64), 0.3e-3);
+}
+
+TEST(Cavity, ChamferAtTheFloorDoesNotMakeItNarrower) {
+  EXPECT_NEAR(cavity_of(groove(-6.1)).narrowest_width, 8e-3, 1e-6);
+}
+
+TEST(Cavity, SlotInTheFloorCountsHoweverSmall) {
+  auto tools = open_box();  // 10 x 6 mm; its floor is 3 mm thick
+  tools.front() = box_mm({0, 0, -8}, {4.5, 6, -5});
+  tools.push_back(box_mm({5.5, 0, -8}, {10, 6, -5}));
+  tools.push_back(box_mm({0, 0, -8}, {10, 6, -5.5}));  // a slot of 1 mm, 0.5 mm deep: 1 % of the volume
+  EXPECT_NEAR(cavity_of(tools).narrowest_width, 1e-3, 1e-6);
+}
+
+TEST(Cavity, TipBesideADeeperPocketIsLeftOutToo) {
+  auto tools = groove(-10);
+  for (auto& tool : tools) tool = transformed(tool, Eigen::Matrix3d::Identity(), {-10e-3, 0, 0});
+  tools.erase(tools.begin() + 1);
+  // From the tip at x = -10 on: a bar up to the floor of a pocket of 5 mm, 13 mm deep; above -6 they are one.
+  tools.push_back(bar_mm({{-10, -12}, {0, -12}, {0, -6}, {-6, -6}, {-10, -10}}, {-4, -9}));
+  tools.push_back(box_mm({5, 0, -14}, {10, 12, 0}));
+  tools.push_back(box_mm({0, 0, -14}, {5, 12, -13}));
+  tools.push_back(box_mm({0, -2, -14}, {10, 0, 0}));
+  tools.push_back(box_mm({0, 12, -14}, {10, 14, 0}));
+  const auto cavity = cavity_of(tools);
+  ASSERT_TRUE(cavity.found);
+  EXPECT_NEAR(cavity.box.lower.z(), -13e-3, 1e-7);
+  EXPECT_GT(cavity.narrowest_width, 2e-3);
+  EXPECT_LT(cavity.narrowest_width, 5e-3 + 1e-6);
+}
+
+TEST(Cavity, RingWithATaperingBottomIsARing) {
+  auto tools = ring_tools("wide_ring", "");
+  ASSERT_TRUE(cavity_of(tools).is_ring);
+  // Another punch 45 degrees steep: its top falls from the die's wall to the core rod.
+  const Box box = tools[1].bounding_box();
+  auto& points = tools[1].vertices;
+  for (auto& point : points) {
+    const double radius = point.head<2>().norm();
+    if (point.z() > box.upper.z() - 1e-6) point.z() += 0.2 * (radius - 8e-3);
+  }
+  const auto cavity = cavity_of(tools);
+  ASSERT_TRUE(cavity.found);
+  EXPECT_TRUE(cavity.is_ring);
+  EXPECT_GT(cavity.narrowest_width, 2e-3);
+}
+
 TEST(Cavity, SlitPlatesHaveNone) {
   EXPECT_FALSE(cavity_of({sample::tool("slit_plate/slit_6mm.stl")}).found);
   EXPECT_FALSE(cavity_of({sample::tool("slit_plate/slit_10mm.stl")}).found);
