@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "contact_energy.h"
 #include "engine/coarse_graining/bierwisch.h"
 #include "engine/observe/energy_balance.h"
-#include "engine_test_support.h"
+#include "tests/engine/contact_energy.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 

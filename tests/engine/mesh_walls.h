@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 

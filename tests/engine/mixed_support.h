@@ -1,7 +1,7 @@
 // Powders of several kinds for tests: sizes and materials, laws between them, and clouds of them.
 #pragma once
 
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 

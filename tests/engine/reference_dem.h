@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "engine/simulation/simulation.h"
+#include "tests/engine/thesis_rotation.h"
 #include "tests/support/contact_access.h"
-#include "thesis_rotation.h"
 
 namespace diefill::engine {
 

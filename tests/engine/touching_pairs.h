@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "contact_energy.h"
 #include "engine/simulation/simulation.h"
+#include "tests/engine/contact_energy.h"
 
 namespace diefill::engine {
 

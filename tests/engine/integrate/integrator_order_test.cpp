@@ -1,7 +1,7 @@
 // The integrator is of second order while forces are smooth (Bierwisch 2009, Eqs. 2.2, 2.18, 2.25).
 #include <gtest/gtest.h>
 
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

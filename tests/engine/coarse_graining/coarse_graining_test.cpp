@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "coarse_graining_collision.h"
 #include "engine/coarse_graining/methods.h"
+#include "tests/engine/coarse_graining_collision.h"
 
 namespace diefill::engine {
 namespace {

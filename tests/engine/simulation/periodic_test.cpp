@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "engine/observe/energy_balance.h"
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

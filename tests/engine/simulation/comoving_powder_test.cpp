@@ -4,8 +4,8 @@
 #include "engine/observe/energy_balance.h"
 #include "engine/observe/powder_figures.h"
 #include "engine/simulation/sleep_rules.h"
-#include "engine_test_support.h"
-#include "touching_pairs.h"
+#include "tests/engine/engine_test_support.h"
+#include "tests/engine/touching_pairs.h"
 
 namespace diefill::engine {
 namespace {

@@ -1,7 +1,7 @@
 // Terms with coefficients of zero are left out of the loop over contacts: they would come to nothing.
 #include <gtest/gtest.h>
 
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

@@ -5,7 +5,7 @@
 #include <cctype>
 
 #include "engine/observe/energy_balance.h"
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 #include "tests/engine/laws/source_laws.h"
 
 namespace diefill::engine {

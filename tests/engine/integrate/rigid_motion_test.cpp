@@ -1,8 +1,8 @@
 // The quaternion scheme of Bierwisch 2009, section 2.2.2, against the printed matrices and free tops.
 #include <gtest/gtest.h>
 
-#include "engine_test_support.h"
-#include "thesis_rotation.h"
+#include "tests/engine/engine_test_support.h"
+#include "tests/engine/thesis_rotation.h"
 
 namespace diefill::engine {
 namespace {

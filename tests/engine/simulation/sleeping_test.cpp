@@ -4,7 +4,7 @@
 #include "engine/observe/energy_balance.h"
 #include "engine/observe/powder_figures.h"
 #include "engine/simulation/sleep_rules.h"
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

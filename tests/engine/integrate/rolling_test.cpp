@@ -1,7 +1,7 @@
 // Model B: torque of tangential forces (Bierwisch 2009, Eq. 2.10) and rolling friction (Eq. 2.11, OP-9).
 #include <gtest/gtest.h>
 
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/observe/energy_balance.h"
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

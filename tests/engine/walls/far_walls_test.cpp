@@ -1,7 +1,7 @@
 // Walls far from all powder cost nothing, and leaving them out changes nothing.
 #include <gtest/gtest.h>
 
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/simulation/free_bodies.h"
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "engine/observe/energy_balance.h"
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

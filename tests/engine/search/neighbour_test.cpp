@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
-#include "engine_test_support.h"
-#include "touching_pairs.h"
+#include "tests/engine/engine_test_support.h"
+#include "tests/engine/touching_pairs.h"
 
 namespace diefill::engine {
 namespace {

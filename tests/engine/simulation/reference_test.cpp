@@ -1,8 +1,8 @@
 // The engine against the slow reference of reference_dem.h: the same small scenes through both.
 #include <gtest/gtest.h>
 
-#include "engine_test_support.h"
-#include "reference_dem.h"
+#include "tests/engine/engine_test_support.h"
+#include "tests/engine/reference_dem.h"
 
 namespace diefill::engine {
 namespace {
