@@ -1,6 +1,6 @@
 #!/bin/sh
-# From a fresh Debian 12 machine to passed tests: installs what is missing, checks the format, builds (diefill-mpi too),
-# and runs all tests that are not slow. At the end it says what is not tested because packages cannot be installed; tests
+# From a fresh Debian 12 machine to passed tests: installs what is missing, checks format and scripts, builds (diefill-mpi
+# too), and runs all tests that are not slow. At the end it says what is not tested because packages cannot be installed; tests
 # that are missing although their packages are installed are a failure.
 #   sh tests/run.sh slow          runs the slow physics checks instead
 #   sh tests/run.sh PRESET        the same for another preset: debug, asan (address and undefined behaviour), tsan
@@ -13,6 +13,7 @@ folder=build
 # What is tested only with packages that the build itself does not need, the names of these tests as CTest lists them
 # (none: the tests are there, but do less), and the packages.
 optional="format of the sources||clang-format-14
+lint of scripts||shellcheck pyflakes3
 Python package|python[.]Package|python3-numpy python3-pytest
 Python package against h5py, and its tutorial||python3-h5py python3-matplotlib
 views in a browser|app[.]View|chromium
@@ -38,6 +39,7 @@ mpi=""
 if installed liblammps-dev libopenmpi-dev openmpi-bin; then mpi=--mpi; fi
 
 sh tests/format.sh
+sh tests/lint.sh
 case $preset in
   release | slow) sh app/build.sh $mpi ;;
   *)

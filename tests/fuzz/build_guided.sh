@@ -24,7 +24,7 @@ for file in cad/cad_file cad/cad_parts cad/mesh_import cad/read_3mf cad/read_bin
   cad/read_triangles grids/distinct_points grids/point_grid mesh/equal_vertices mesh/half_edges mesh/mesh \
   mesh/mesh_check mesh/mesh_findings mesh/topology mesh/triangle mesh/triangle_tree mesh/winding; do
   object=$out/objects/$(basename "$file").o
-  # shellcheck disable=SC2086
+  # shellcheck disable=SC2086,SC3013  # dash has -nt
   [ "$object" -nt "geometry/$file.cpp" ] ||
     clang++ $flags "-fsanitize=fuzzer-no-link$sanitizers" -c "geometry/$file.cpp" -o "$object"
 done

@@ -12,11 +12,12 @@ does not end Python. Results are read by this package itself. Quantities are in 
 another; a Comparison states the unit of each. Wrong input raises BadInput, a ValueError.
 """
 import sys as _sys
+from importlib import import_module as _import_module
 from pathlib import Path as _Path
 
 try:
-    import numpy as _numpy  # the compiled module loads it when it makes its first array
-    from . import _results
+    _import_module("numpy")  # the compiled module loads it when it makes its first array
+    _import_module("diefill._results")
 except ImportError as _error:
     _folder = _Path(__file__).parent
     _built = [_file.name for _file in _folder.glob("_results.*.so")]
