@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "process/laboratory/published/csv_fields.h"
+#include "process/laboratory/published/lactose/powders_measured.h"
 #include "process/laboratory/published/scene_experiment.h"
 #include "process/results/formatted.h"
 #include "process/results/rounding.h"
@@ -41,9 +42,11 @@ Measured measured_in(const std::vector<results::LabTable>& tables, const std::st
   return found;
 }
 
-bool is_scene_experiment(const std::string& name) {
+/// nullptr for families of experiments with a table of their own.
+const SceneExperiment* scene_experiment(const std::string& name) {
   const auto& all = scene_experiments();
-  return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+  return found == all.end() ? nullptr : &*found;
 }
 
 /// Why there is no value. Of a run that stops the page names the run; what it says, with places and times, is
@@ -73,9 +76,9 @@ Line line_of(const PublishedFigure& figure, const Measured& measured) {
   if (figure.kind == "input") {
     line.verdict = "input";
   } else if (figure.experiment.empty()) {
-    line.verdict = "not built";
+    line.verdict = "no experiment";
   } else if (measured.row == nullptr) {
-    const bool by_scenes = is_scene_experiment(figure.experiment);
+    const bool by_scenes = scene_experiment(figure.experiment) != nullptr;
     line.verdict = by_scenes ? "not run" : "-";
     if (!by_scenes) line.note = "table of its own: `diefill lab " + figure.experiment + "`";
   } else {
@@ -107,12 +110,60 @@ std::string row_text(const PublishedFigure& figure, const Line& line, const std:
          in_cell(note) + " |\n";
 }
 
-std::string counts_text(const std::map<std::string, int>& counts) {
-  std::string text;
-  for (const auto& [verdict, count] : counts)
-    text += "| " + (verdict == "-" ? std::string("in a table of its own") : verdict) + " | " +
-            std::to_string(count) + " |\n";
+/// The figures of one section of a source.
+struct Section {
+  std::string title, rows;
+  std::vector<std::string> experiments;  ///< that measure them
+};
+
+Section& section_of(const PublishedFigure& figure, std::vector<Section>& sections) {
+  const std::string title = figure.source + ", " + figure.section;
+  const auto found = std::find_if(sections.begin(), sections.end(),
+                                  [&](const Section& section) { return section.title == title; });
+  if (found != sections.end()) return *found;
+  sections.push_back({title, {}, {}});
+  return sections.back();
+}
+
+std::string text_of(const Section& section) {
+  std::string text = "\n## " + section.title + "\n";
+  for (const std::string& name : section.experiments) {
+    const SceneExperiment* experiment = scene_experiment(name);
+    text += "`diefill lab " + name + (experiment == nullptr ? "`" : "`: " + experiment->question) + "  \n";
+  }
+  return text + (section.experiments.empty() ? "" : "\n") +
+         "| id | quantity | published (agrees) | here | verdict | d, mm | core s | note |\n"
+         "|---|---|---|---|---|---|---|---|\n" +
+         section.rows;
+}
+
+/// How many figures of each source have each verdict.
+using Counts = std::map<std::string, std::map<std::string, int>>;
+
+std::string counts_text(const std::vector<std::string>& sources, const Counts& counts) {
+  std::string text = "| verdict |", line = "|---|";
+  for (const std::string& source : sources) {
+    text += " " + source + " |";
+    line += "---|";
+  }
+  text += " all |\n" + line + "---|\n";
+  for (const auto& [verdict, by_source] : counts) {
+    int all = 0;
+    text += "| " + (verdict == "-" ? std::string("in a table of its own") : verdict) + " |";
+    for (const std::string& source : sources) {
+      const auto found = by_source.find(source);
+      const int count = found == by_source.end() ? 0 : found->second;
+      text += " " + std::to_string(count) + " |";
+      all += count;
+    }
+    text += " " + std::to_string(all) + " |\n";
+  }
   return text;
+}
+
+template <class Value>
+void add_once(const Value& value, std::vector<Value>& values) {
+  if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
 }
 
 }  // namespace
@@ -132,31 +183,34 @@ std::map<std::string, std::string> read_remarks(const std::filesystem::path& fil
 std::string fidelity_page(const std::vector<PublishedFigure>& figures,
                           const std::vector<results::LabTable>& tables,
                           const std::map<std::string, std::string>& remarks) {
-  const std::string head =
-      "| id | quantity | published (agrees) | here | verdict | d, mm | core s | note |\n"
-      "|---|---|---|---|---|---|---|---|\n";
-  std::map<std::string, int> counts;
-  std::string rows, section;
+  Counts counts;
+  std::vector<std::string> sources;
+  std::vector<Section> sections;
   for (const auto& figure : figures) {
     const Line line = line_of(figure, measured_in(tables, figure.id));
-    ++counts[line.verdict];
-    if (figure.source + figure.section != section) {
-      section = figure.source + figure.section;
-      rows += "\n## " + figure.source + ", " + figure.section + "\n" + head;
-    }
+    ++counts[line.verdict][figure.source];
+    add_once(figure.source, sources);
+    Section& section = section_of(figure, sections);
+    if (!figure.experiment.empty() && figure.kind != "input")
+      add_once(figure.experiment, section.experiments);
     const auto remark = remarks.find(figure.id);
-    rows += row_text(figure, line, remark == remarks.end() ? "" : remark->second);
+    section.rows += row_text(figure, line, remark == remarks.end() ? "" : remark->second);
   }
-  return "# Fidelity\n\nWritten by `diefill lab fidelity` from `kept_results.csv` and "
-         "`sample_tools/laboratory/comparisons.csv`; do not edit. One row for "
-         "every "
-         "published figure.\nHere: mean +- standard deviation over seeds. d: the coarsest grains of its "
-         "runs. "
-         "Core s: processor time of these runs, which\nother rows may share. The published sizes are finer: "
-         "a "
-         "verdict holds for the size in the note.\n\n"
-         "| verdict | figures |\n|---|---|\n" +
-         counts_text(counts) + rows;
+  std::string page =
+      "# Fidelity\n\n"
+      "Written by `diefill lab fidelity` from `kept_results.csv` and\n"
+      "`sample_tools/laboratory/comparisons.csv`; do not edit. One row for every published figure, by "
+      "section\n"
+      "of its source. Here: mean +- standard deviation over seeds. d: the coarsest grains of its runs. Core "
+      "s:\n"
+      "processor time of these runs, which other rows may share. The published sizes are finer: a verdict\n"
+      "holds for the size in the note.\n\n" +
+      counts_text(sources, counts);
+  for (const Section& section : sections) page += text_of(section);
+  return page + powders_measured(figures, [&](const PublishedFigure& figure) {
+           const Line line = line_of(figure, measured_in(tables, figure.id));
+           return line.here + " (" + line.verdict + ")";
+         });
 }
 
 }  // namespace diefill::process::laboratory

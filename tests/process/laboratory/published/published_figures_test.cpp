@@ -169,9 +169,45 @@ TEST(Fidelity, HasARowForEveryFigureAndSaysWhyThereIsNoValue) {
       fidelity_page({met, unbuilt, cut}, {coarse, medium}, {{"N01", "Tried: another lattice"}});
   EXPECT_NE(page.find("| N01 |  | 0.59 (0.575 to 0.605) | 0.59 +- 0.014 | met |"), std::string::npos) << page;
   EXPECT_NE(page.find("coarse, 2 seeds. Tried: another lattice"), std::string::npos) << page;
-  EXPECT_NE(page.find("| X99 |  | 0.59 (0.575 to 0.605) | - | not built |"), std::string::npos) << page;
+  EXPECT_NE(page.find("| X99 |  | 0.59 (0.575 to 0.605) | - | no experiment |"), std::string::npos) << page;
   EXPECT_NE(page.find("no value | - | 0 | 1 of 1 runs not finished (budget used, or stopped)"),
             std::string::npos)
+      << page;
+}
+
+TEST(Fidelity, AssemblesSectionsOfASourceAndCountsVerdictsBySource) {
+  PublishedFigure one, other;
+  one.id = "N01", one.source = "Bierwisch 2009", one.section = "E6", one.experiment = "mean_fractions";
+  one.kind = "value";
+  other = one;
+  other.id = "U01", other.source = "Hu 2024", other.section = "box", other.experiment = "critical_step";
+  PublishedFigure later = one;
+  later.id = "N02";
+  PublishedFigure input = other;
+  input.id = "U02", input.kind = "input", input.experiment = "";
+  const std::string page = fidelity_page({one, other, later, input}, {}, {});
+  const std::string of_n01 = "\n| N01 |", of_n02 = "\n| N02 |";
+  EXPECT_LT(page.find(of_n01), page.find(of_n02));
+  EXPECT_LT(page.find(of_n02), page.find("## Hu 2024, box")) << page;
+  EXPECT_NE(page.find("## Bierwisch 2009, E6\n`diefill lab mean_fractions`: "), std::string::npos) << page;
+  EXPECT_NE(page.find("| verdict | Bierwisch 2009 | Hu 2024 | all |"), std::string::npos) << page;
+  EXPECT_NE(page.find("| not run | 2 | 1 | 3 |"), std::string::npos) << page;
+  EXPECT_NE(page.find("| input | 0 | 1 | 1 |"), std::string::npos) << page;
+}
+
+TEST(Fidelity, HoldsMeasuredPowdersBesideTheirCalibratedSets) {
+  PublishedFigure run, used, predicted;
+  run.id = "LH220-exp-tens-1", run.setting = "powder=LH220; run=1", run.published = "0.0569";
+  used.id = "LH220-exp-tens-used", used.setting = "powder=LH220; run=used", used.published = "0.0646";
+  run.kind = used.kind = "input", run.quantity = used.quantity = "sigma_tens";
+  predicted.id = "L220-pred-sigma_tens", predicted.published = "0.938", predicted.kind = "value";
+  predicted.quantity = "sigma_tens", predicted.unit = "kPa", predicted.experiment = "confined_compression";
+  results::LabTable table;
+  results::LabRow row;
+  row.id = predicted.id, row.values = {1.454}, row.verdict = "met";
+  table.rows.push_back(row);
+  const std::string page = fidelity_page({run, used, predicted}, {table}, {});
+  EXPECT_NE(page.find("| LH220 | sigma_tens kPa | 0.0646 | 0.938 | 1.454 (met) |"), std::string::npos)
       << page;
 }
 
