@@ -70,12 +70,12 @@ process::TradeoffOptions options_of(const TradeoffArguments& arguments, const pr
   return options;
 }
 
-/// File names of the knobs' charts.
+/// File names of the parameters' charts.
 std::vector<std::string> chart_names(const results::Tradeoff& tradeoff) {
   std::vector<std::string> names;
-  for (const auto& knob : tradeoff.knobs) names.push_back(knob.name);
+  for (const auto& parameter : tradeoff.parameters) names.push_back(parameter.name);
   names = process::folder_names(names);
-  for (std::string& name : names) name = "knob_" + name + ".png";
+  for (std::string& name : names) name = "parameter_" + name + ".png";
   return names;
 }
 
@@ -96,7 +96,7 @@ std::vector<std::string> write_all(const std::filesystem::path& directory,
     written.emplace_back("tradeoff.png");
     const auto charts = chart_names(tradeoff);
     for (std::size_t k = 0; k < charts.size(); ++k) {
-      render::draw_knob(directory / charts[k], tradeoff, tradeoff.knobs[k]);
+      render::draw_parameter(directory / charts[k], tradeoff, tradeoff.parameters[k]);
       written.push_back(charts[k]);
     }
   });
@@ -108,9 +108,9 @@ int trade_off(const TradeoffArguments& arguments) {
   process::refuse_excessive_work(scene);
   auto options = options_of(arguments, scene);
   require_directory(options.directory);
-  std::vector<process::KnobValues> knobs;
-  for (const auto& text : arguments.vary) knobs.push_back(process::read_vary(text));
-  auto plan = process::plan_tradeoff(scene, knobs, options);
+  std::vector<process::ParameterValues> parameters;
+  for (const auto& text : arguments.vary) parameters.push_back(process::read_vary(text));
+  auto plan = process::plan_tradeoff(scene, parameters, options);
   const OutputDirectory output(options.directory, {"tools"});
   options.jobs.stop = &install_stop_handlers();
   options.jobs.watch = live_jobs(options.directory, "Trade-off: " + scene.title);
@@ -126,11 +126,13 @@ void add_options(CLI::App& command, TradeoffArguments& arguments) {
   command.add_option("SCENE", arguments.scene, "scene file (TOML)")->required();
   command
       .add_option("--vary", arguments.vary,
-                  "KNOB=VALUE,VALUE,...: values of a knob, or of any scene key by its path; repeat for more "
-                  "knobs (default: all knobs that affect the scene)")
+                  "PARAMETER=VALUE,VALUE,...: values of a parameter, or of any scene key by its path; repeat "
+                  "for more "
+                  "parameters (default: all parameters that affect the scene)")
       ->allow_extra_args(false);
-  command.add_flag("--variants", arguments.variants,
-                   "also use the scene's [[variant]] tables as settings: several knobs changed together");
+  command.add_flag(
+      "--variants", arguments.variants,
+      "also use the scene's [[variant]] tables as settings: several parameters changed together");
   command.add_option("--seeds", arguments.seeds, "runs of each setting with consecutive seeds (default: 2)")
       ->check(whole_number(1, 1000));
   command
@@ -174,11 +176,12 @@ void add_tradeoff(CLI::App& program, Action& chosen) {
       "--seeds 3\n"
       "  diefill tradeoff my_die.toml --vary 'step.1.velocity=0.1 m/s,0.2 m/s' --target solid_fraction=0.34\n"
       "  diefill tradeoff sample_tools/tradeoff/narrow_ring.toml --variants --reference base\n"
-      "Knobs: grain_diameter, time_step, reduced_modulus, wall_sphere_radius, wall_spacing, powder_height,\n"
+      "Parameters: grain_diameter, time_step, reduced_modulus, wall_sphere_radius, wall_spacing, "
+      "powder_height,\n"
       "slice_length, skin, grain_model; or the path of a key, such as powder.friction.\n"
       "Run the same command again to continue after a stop; finished runs are kept. Writes tradeoff.csv, "
       "tradeoff.json,\n"
-      "tradeoff.png and knob_<name>.png. Exit codes: 0 done, 1 no result to evaluate, 2 bad input, 130 "
+      "tradeoff.png and parameter_<name>.png. Exit codes: 0 done, 1 no result to evaluate, 2 bad input, 130 "
       "stopped.");
   command->callback([arguments, &chosen] { chosen = [arguments] { return trade_off(*arguments); }; });
 }

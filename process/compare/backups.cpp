@@ -145,7 +145,7 @@ std::optional<fs::path> back_up_earlier_tables(const fs::path& directory, const 
     });
   };
   if (!fs::exists(table) || all_there(table, "settings", is_there)) return std::nullopt;
-  return move_to_backup(directory, files_that_begin(directory, {"tradeoff.", "knob_"}));
+  return move_to_backup(directory, files_that_begin(directory, {"tradeoff.", "parameter_"}));
 }
 
 std::optional<fs::path> back_up_earlier_tables(const fs::path& directory, const results::Calibration& now) {

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 24> kReserved = {
     "beginnings",  "checkpoint", "comparison", "cost",  "exit_code", "jobs",  "report",   "results",
     "run",         "run_here",   "scene",      "slurm", "snapshots", "tools", "tradeoff", "paraview",
     "calibration", "screening",  "powder",     "live",  "aux",       "con",   "nul",      "prn"};
-constexpr std::array<std::string_view, 4> kReservedStarts = {"knob_", "previous-", "frames", "probe_"};
+constexpr std::array<std::string_view, 4> kReservedStarts = {"parameter_", "previous-", "frames", "probe_"};
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),

@@ -89,26 +89,27 @@ void drop_missing(results::Tradeoff& tradeoff) {
   }
 }
 
-/// Whether `a` comes before `b` in a chart of the knob: coarser first, else smaller first.
-bool before(const Knob& knob, const std::string& a, const std::string& b) {
-  if (const int order = fineness(knob, a, b); order != 0) return order < 0;
-  const auto first = number_of(knob, a), second = number_of(knob, b);
+/// Whether `a` comes before `b` in a chart of the parameter: coarser first, else smaller first.
+bool before(const Parameter& parameter, const std::string& a, const std::string& b) {
+  if (const int order = fineness(parameter, a, b); order != 0) return order < 0;
+  const auto first = number_of(parameter, a), second = number_of(parameter, b);
   return first && second && *first < *second;
 }
 
-results::KnobRow row_of(const KnobValues& varied, const Scene& scene,
-                        const std::vector<TriedSetting>& settings) {
+results::ParameterRow row_of(const ParameterValues& varied, const Scene& scene,
+                             const std::vector<TriedSetting>& settings) {
   struct Entry {
     std::size_t point;
     std::string value;
   };
-  std::vector<Entry> entries = {{0, varied.knob.current(scene)}};
+  std::vector<Entry> entries = {{0, varied.parameter.current(scene)}};
   for (std::size_t k = 1; k < settings.size(); ++k)
-    if (settings[k].changes.size() == 1 && settings[k].changes.front().knob == varied.knob.name)
+    if (settings[k].changes.size() == 1 && settings[k].changes.front().parameter == varied.parameter.name)
       entries.push_back({k, settings[k].changes.front().value});
-  std::stable_sort(entries.begin(), entries.end(),
-                   [&](const Entry& a, const Entry& b) { return before(varied.knob, a.value, b.value); });
-  results::KnobRow row{varied.knob.name, varied.knob.label, {}, {}};
+  std::stable_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    return before(varied.parameter, a.value, b.value);
+  });
+  results::ParameterRow row{varied.parameter.name, varied.parameter.label, {}, {}};
   for (const Entry& entry : entries) {
     row.points.push_back(entry.point);
     row.values.push_back(entry.value);
@@ -154,8 +155,8 @@ std::vector<results::Job> jobs_of(const TriedSetting& setting, int seeds) {
 }
 
 results::Tradeoff gather(const std::filesystem::path& directory, const Scene& scene,
-                         const std::vector<TriedSetting>& settings, const std::vector<KnobValues>& knobs,
-                         int seeds) {
+                         const std::vector<TriedSetting>& settings,
+                         const std::vector<ParameterValues>& parameters, int seeds) {
   results::Tradeoff tradeoff;
   tradeoff.title = scene.title;
   for (const TriedSetting& setting : settings) {
@@ -166,9 +167,9 @@ results::Tradeoff gather(const std::filesystem::path& directory, const Scene& sc
     tradeoff.points.push_back(point_of(setting, read_runs(directory, setting, seeds, quantities)));
   }
   drop_missing(tradeoff);
-  for (const KnobValues& varied : knobs) {
+  for (const ParameterValues& varied : parameters) {
     auto row = row_of(varied, scene, settings);
-    if (row.points.size() > 1) tradeoff.knobs.push_back(std::move(row));
+    if (row.points.size() > 1) tradeoff.parameters.push_back(std::move(row));
   }
   return tradeoff;
 }

@@ -8,12 +8,12 @@
 namespace diefill::process {
 
 /// What stands in `directory` of `settings` with `seeds` runs each: quantities that some run has a value of,
-/// one point a setting in their order, rows of knobs. The correlation of maps is with the mean map of setting
-/// `reference` (its own runs with those of its other seeds); none where that is no setting. Errors are not
-/// filled in.
+/// one point a setting in their order, rows of parameters. The correlation of maps is with the mean map of
+/// setting `reference` (its own runs with those of its other seeds); none where that is no setting. Errors
+/// are not filled in.
 results::Tradeoff gather(const std::filesystem::path& directory, const Scene& scene,
-                         const std::vector<TriedSetting>& settings, const std::vector<KnobValues>& knobs,
-                         int seeds);
+                         const std::vector<TriedSetting>& settings,
+                         const std::vector<ParameterValues>& parameters, int seeds);
 
 /// Adds the quantity kMapCorrelation to every point.
 void add_map_correlation(results::Tradeoff& tradeoff, const std::filesystem::path& directory,

@@ -5,7 +5,7 @@
 
 #include "process/results/trimmed.h"
 #include "process/scene/folder_names.h"
-#include "process/tradeoff/knob_registry.h"
+#include "process/tradeoff/parameter_registry.h"
 #include "process/tradeoff/work_estimate.h"
 
 namespace diefill::process {
@@ -35,21 +35,21 @@ std::string without_place(const std::string& message) {
   return std::regex_replace(message, place, "", std::regex_constants::format_first_only);
 }
 
-int finer_than_base(const Scene& scene, const std::vector<std::pair<Knob, std::string>>& turned) {
+int finer_than_base(const Scene& scene, const std::vector<std::pair<Parameter, std::string>>& turned) {
   bool all_finer = !turned.empty();
-  for (const auto& [knob, value] : turned) {
-    const int order = fineness(knob, value, knob.current(scene));
+  for (const auto& [parameter, value] : turned) {
+    const int order = fineness(parameter, value, parameter.current(scene));
     if (order < 0) return -1;
     all_finer = all_finer && order > 0;
   }
   return all_finer ? 1 : 0;
 }
 
-SceneChanges changes_of(const Scene& scene, const std::vector<std::pair<Knob, std::string>>& turned) {
+SceneChanges changes_of(const Scene& scene, const std::vector<std::pair<Parameter, std::string>>& turned) {
   SceneChanges all;
   all.source = "--vary";
-  for (const auto& [knob, value] : turned) {
-    const SceneChanges changes = knob.changes(scene, value);
+  for (const auto& [parameter, value] : turned) {
+    const SceneChanges changes = parameter.changes(scene, value);
     all.set += changes.set;
     all.without.insert(all.without.end(), changes.without.begin(), changes.without.end());
   }
@@ -58,32 +58,33 @@ SceneChanges changes_of(const Scene& scene, const std::vector<std::pair<Knob, st
 
 }  // namespace
 
-KnobValues read_vary(const std::string& text) {
+ParameterValues read_vary(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || results::trimmed(text.substr(0, equals)).empty())
-    throw SceneError("--vary: found \"" + text +
-                     "\", expected KNOB=VALUE,VALUE,..., such as --vary \"grain_diameter=0.94 mm,1.88 mm\"");
-  KnobValues varied{knob_called(std::string(results::trimmed(text.substr(0, equals)))),
-                    split_at_commas(text.substr(equals + 1))};
+    throw SceneError(
+        "--vary: found \"" + text +
+        "\", expected PARAMETER=VALUE,VALUE,..., such as --vary \"grain_diameter=0.94 mm,1.88 mm\"");
+  ParameterValues varied{parameter_called(std::string(results::trimmed(text.substr(0, equals)))),
+                         split_at_commas(text.substr(equals + 1))};
   for (const std::string& value : varied.values)
     if (value.empty())
       throw SceneError("--vary: found \"" + text + "\", a value is empty; separate values with commas");
   return varied;
 }
 
-std::vector<KnobValues> usual_knobs(const Scene& scene) {
-  std::vector<KnobValues> all;
-  for (const Knob& knob : knob_registry())
-    if (auto values = knob.usual(scene); !values.empty()) all.push_back({knob, std::move(values)});
+std::vector<ParameterValues> usual_parameters(const Scene& scene) {
+  std::vector<ParameterValues> all;
+  for (const Parameter& parameter : parameter_registry())
+    if (auto values = parameter.usual(scene); !values.empty()) all.push_back({parameter, std::move(values)});
   return all;
 }
 
 TriedSetting setting_with(const Scene& scene, const std::string& name, const std::string& label,
-                          const std::vector<std::pair<Knob, std::string>>& turned) {
+                          const std::vector<std::pair<Parameter, std::string>>& turned) {
   TriedSetting setting;
   setting.name = name;
   setting.label = label;
-  for (const auto& [knob, value] : turned) setting.changes.push_back({knob.name, value});
+  for (const auto& [parameter, value] : turned) setting.changes.push_back({parameter.name, value});
   setting.finer = finer_than_base(scene, turned);
   setting.variant.name = name;
   setting.variant.folder = folder_of_name(name);
@@ -119,17 +120,17 @@ void assign_folders(std::vector<TriedSetting>& settings) {
   for (std::size_t k = 0; k < settings.size(); ++k) settings[k].variant.folder = folders[k + 1];
 }
 
-std::vector<TriedSetting> one_at_a_time(const Scene& scene, const std::vector<KnobValues>& knobs,
+std::vector<TriedSetting> one_at_a_time(const Scene& scene, const std::vector<ParameterValues>& parameters,
                                         bool strict) {
   std::vector<TriedSetting> settings = {setting_with(scene, kBase, kBase, {})};
   if (!settings.front().refused.empty())
     throw SceneError(scene.file.string() + ": " + settings.front().refused);
-  for (const auto& [knob, values] : knobs) {
-    const std::string now = knob.current(scene);
+  for (const auto& [parameter, values] : parameters) {
+    const std::string now = parameter.current(scene);
     for (const std::string& value : values) {
-      if (same_value(knob, value, now)) continue;
-      const std::string name = knob.name + '=' + value;
-      TriedSetting setting = setting_with(scene, name, knob.sign + ' ' + value, {{knob, value}});
+      if (same_value(parameter, value, now)) continue;
+      const std::string name = parameter.name + '=' + value;
+      TriedSetting setting = setting_with(scene, name, parameter.sign + ' ' + value, {{parameter, value}});
       if (strict && !setting.refused.empty()) throw SceneError("--vary " + name + ": " + setting.refused);
       const auto same = [&](const TriedSetting& other) { return other.name == setting.name; };
       if (std::any_of(settings.begin(), settings.end(), same))

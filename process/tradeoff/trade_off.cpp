@@ -14,7 +14,7 @@
 namespace diefill::process {
 namespace {
 
-constexpr double kWorthwhile = 0.97;  // of the base's cost: a knob that saves less is left where it is
+constexpr double kWorthwhile = 0.97;  // of the base's cost: a parameter that saves less is left where it is
 
 void refuse_unknown(const std::string& what, const std::string& word, const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), word) != known.end()) return;
@@ -97,15 +97,15 @@ void judge(results::Tradeoff& tradeoff, std::size_t reference, const TradeoffOpt
   evaluate(tradeoff, reference);
 }
 
-/// Every knob at its cheapest value that alone stays within scatter and tolerance of the base; nothing where
-/// fewer than two knobs have one.
+/// Every parameter at its cheapest value that alone stays within scatter and tolerance of the base; nothing
+/// where fewer than two parameters have one.
 std::optional<TriedSetting> combination(const Scene& scene, results::Tradeoff tradeoff,
-                                        const std::vector<KnobValues>& knobs, double tolerance) {
+                                        const std::vector<ParameterValues>& parameters, double tolerance) {
   tradeoff.tolerance = tolerance;
   evaluate(tradeoff, 0);
   if (!distinguishes_settings(tradeoff)) return std::nullopt;
-  std::vector<std::pair<Knob, std::string>> turned;
-  for (const results::KnobRow& row : tradeoff.knobs) {
+  std::vector<std::pair<Parameter, std::string>> turned;
+  for (const results::ParameterRow& row : tradeoff.parameters) {
     double cheapest = kWorthwhile * tradeoff.points.front().core_seconds;
     std::string value;
     for (std::size_t k = 0; k < row.points.size(); ++k) {
@@ -115,9 +115,10 @@ std::optional<TriedSetting> combination(const Scene& scene, results::Tradeoff tr
       cheapest = point.core_seconds;
       value = row.values[k];
     }
-    const auto knob = std::find_if(knobs.begin(), knobs.end(),
-                                   [&](const KnobValues& varied) { return varied.knob.name == row.name; });
-    if (!value.empty()) turned.emplace_back(knob->knob, value);
+    const auto parameter =
+        std::find_if(parameters.begin(), parameters.end(),
+                     [&](const ParameterValues& varied) { return varied.parameter.name == row.name; });
+    if (!value.empty()) turned.emplace_back(parameter->parameter, value);
   }
   if (turned.size() < 2) return std::nullopt;
   return setting_with(scene, kCombined, kCombined, turned);
@@ -144,7 +145,7 @@ void add_remarks(results::Tradeoff& tradeoff, const TradeoffOptions& options) {
     if (point.name == kCombined) {
       std::string words = "\"combined\" is";
       for (std::size_t k = 0; k < point.changes.size(); ++k)
-        words += (k == 0 ? " " : ", ") + point.changes[k].knob + '=' + point.changes[k].value;
+        words += (k == 0 ? " " : ", ") + point.changes[k].parameter + '=' + point.changes[k].value;
       tradeoff.remarks.push_back(words);
     }
   if (options.seeds < 2)
@@ -173,12 +174,12 @@ std::size_t reference_of(const results::Tradeoff& tradeoff, const std::vector<Tr
 
 }  // namespace
 
-TradeoffPlan plan_tradeoff(const Scene& scene, const std::vector<KnobValues>& knobs,
+TradeoffPlan plan_tradeoff(const Scene& scene, const std::vector<ParameterValues>& parameters,
                            const TradeoffOptions& options) {
-  const bool strict = !knobs.empty() || options.variants;
+  const bool strict = !parameters.empty() || options.variants;
   TradeoffPlan plan;
-  plan.knobs = strict ? knobs : usual_knobs(scene);
-  plan.settings = one_at_a_time(scene, plan.knobs, strict);
+  plan.parameters = strict ? parameters : usual_parameters(scene);
+  plan.settings = one_at_a_time(scene, plan.parameters, strict);
   if (options.variants) add_variants(scene, plan.settings);
   assign_folders(plan.settings);
   check_words(scene, plan.settings, options);
@@ -204,11 +205,11 @@ std::vector<std::string> remarks_on_targets(const results::Tradeoff& tradeoff,
 results::Tradeoff trade_off(const Scene& scene, TradeoffPlan plan, const TradeoffOptions& options) {
   auto& settings = plan.settings;
   run_settings(scene.title, settings, options);
-  auto tradeoff = gather(options.directory, scene, settings, plan.knobs, options.seeds);
-  if (auto combined = combination(scene, tradeoff, plan.knobs, options.tolerance)) {
+  auto tradeoff = gather(options.directory, scene, settings, plan.parameters, options.seeds);
+  if (auto combined = combination(scene, tradeoff, plan.parameters, options.tolerance)) {
     settings.push_back(std::move(*combined));
     run_settings(scene.title, settings, options);
-    tradeoff = gather(options.directory, scene, settings, plan.knobs, options.seeds);
+    tradeoff = gather(options.directory, scene, settings, plan.parameters, options.seeds);
   }
   tradeoff.command = options.command;
   const std::size_t reference = reference_of(tradeoff, settings, options.reference);

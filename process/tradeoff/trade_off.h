@@ -25,21 +25,21 @@ struct TradeoffOptions {
 
 /// What to try of a scene.
 struct TradeoffPlan {
-  std::vector<KnobValues> knobs;
+  std::vector<ParameterValues> parameters;
   std::vector<TriedSetting> settings;  ///< the base first
 };
 
-/// The knobs with these values, usual_knobs where there are none nor variants, and their settings. Throws
-/// SceneError for values that the scene refuses (usual ones are noted in their setting), for unknown names in
-/// `options` and for seeds beyond the largest.
-TradeoffPlan plan_tradeoff(const Scene& scene, const std::vector<KnobValues>& knobs,
+/// The parameters with these values, usual_parameters where there are none nor variants, and their settings.
+/// Throws SceneError for values that the scene refuses (usual ones are noted in their setting), for unknown
+/// names in `options` and for seeds beyond the largest.
+TradeoffPlan plan_tradeoff(const Scene& scene, const std::vector<ParameterValues>& parameters,
                            const TradeoffOptions& options);
 
 /// A line for each of the `targets` whose quantity has no value in any setting, so that it does not count.
 std::vector<std::string> remarks_on_targets(const results::Tradeoff& tradeoff,
                                             const std::map<std::string, double>& targets);
 
-/// Runs the plan, and then all worthwhile knobs turned together. Throws Interrupted when asked to stop,
+/// Runs the plan, and then all worthwhile parameters turned together. Throws Interrupted when asked to stop,
 /// results::ResultError and std::runtime_error as run_jobs does.
 results::Tradeoff trade_off(const Scene& scene, TradeoffPlan plan, const TradeoffOptions& options);
 

@@ -1,6 +1,6 @@
 // Cost against error: every setting's cost and error, the Pareto front, the recommended setting, the scatter
 // over seeds below which an error has no meaning, and settings that fail in a quantity that scatters less.
-// One small chart per knob.
+// One small chart per parameter.
 #pragma once
 
 #include <QImage>
@@ -28,16 +28,16 @@ TradeoffPicture compose_tradeoff(const results::Tradeoff& tradeoff);
 /// The same as a PNG; throws as write_png() does too.
 void draw_tradeoff(const std::filesystem::path& png, const results::Tradeoff& tradeoff);
 
-/// A finished chart of a knob: deviations above, costs below.
-struct KnobPicture {
+/// A finished chart of a parameter: deviations above, costs below.
+struct ParameterPicture {
   QImage image;
   PlotArea deviation, cost;
 };
 
-/// What one knob does: deviation of every deciding quantity from the base (percent, with its scatter over
-/// seeds) and the processor time of a run, over the knob's values from coarse to fine.
-KnobPicture compose_knob(const results::Tradeoff& tradeoff, const results::KnobRow& knob);
-void draw_knob(const std::filesystem::path& png, const results::Tradeoff& tradeoff,
-               const results::KnobRow& knob);
+/// What one parameter does: deviation of every deciding quantity from the base (percent, with its scatter
+/// over seeds) and the processor time of a run, over the parameter's values from coarse to fine.
+ParameterPicture compose_parameter(const results::Tradeoff& tradeoff, const results::ParameterRow& parameter);
+void draw_parameter(const std::filesystem::path& png, const results::Tradeoff& tradeoff,
+                    const results::ParameterRow& parameter);
 
 }  // namespace diefill::render

@@ -27,7 +27,7 @@ Json quantity_entry(const TradeoffQuantity& quantity) {
 
 Json point_entry(const TradeoffPoint& point, const std::vector<TradeoffQuantity>& quantities) {
   Json json = {{"setting", point.name}, {"changes", Json::object()}, {"state", point.state}};
-  for (const auto& change : point.changes) json["changes"][change.knob] = change.value;
+  for (const auto& change : point.changes) json["changes"][change.parameter] = change.value;
   if (!point.reason.empty()) json["reason"] = point.reason;
   json["seeds"] = point.seeds;
   json["core_seconds"] = json_number(point.core_seconds);

@@ -38,20 +38,20 @@ struct TradeoffValue {
   double floor = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// One value of one knob.
-struct KnobChange {
-  std::string knob, value;  ///< as --vary takes them
+/// One value of one parameter.
+struct ParameterChange {
+  std::string parameter, value;  ///< as --vary takes them
 };
 
 /// One setting.
 struct TradeoffPoint {
-  std::string name;                 ///< such as "grain_diameter=1.88 mm"; "base" for the scene as it stands
-  std::string label;                ///< as short as a chart needs it, such as "d 1.88 mm"
-  std::vector<KnobChange> changes;  ///< of the base
-  std::string state;                ///< finished, failed, left out or refused
-  std::string reason;               ///< why not finished; empty otherwise
-  std::uint64_t seeds = 0;          ///< finished runs
-  double core_seconds = 0;          ///< s of processor time of a run, mean over seeds; NaN: none finished
+  std::string name;   ///< such as "grain_diameter=1.88 mm"; "base" for the scene as it stands
+  std::string label;  ///< as short as a chart needs it, such as "d 1.88 mm"
+  std::vector<ParameterChange> changes;  ///< of the base
+  std::string state;                     ///< finished, failed, left out or refused
+  std::string reason;                    ///< why not finished; empty otherwise
+  std::uint64_t seeds = 0;               ///< finished runs
+  double core_seconds = 0;             ///< s of processor time of a run, mean over seeds; NaN: none finished
   double core_seconds_per_second = 0;  ///< the same over the simulated time
   double wall_seconds = 0;             ///< s by the clock, mean over seeds
   double peak_memory_bytes = 0;        ///< largest resident set
@@ -62,8 +62,8 @@ struct TradeoffPoint {
   bool reference = false, recommended = false, pareto = false;
 };
 
-/// Settings that differ in one knob alone, coarsest first where the knob has an order.
-struct KnobRow {
+/// Settings that differ in one parameter alone, coarsest first where the parameter has an order.
+struct ParameterRow {
   std::string name, label;          ///< as --vary spells it; for people, such as "grain diameter d"
   std::vector<std::size_t> points;  ///< into Tradeoff::points
   std::vector<std::string> values;  ///< one for each
@@ -74,7 +74,7 @@ struct Tradeoff {
   std::string command;  ///< that made it
   std::vector<TradeoffQuantity> quantities;
   std::vector<TradeoffPoint> points;  ///< the base first
-  std::vector<KnobRow> knobs;
+  std::vector<ParameterRow> parameters;
   double floor = 0;      ///< largest of the deciding quantities' floors; NaN: not known, a single seed
   double tolerance = 0;  ///< error that the user accepts
   std::string advice;    ///< which setting to take, and why, in a sentence

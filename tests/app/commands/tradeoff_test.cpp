@@ -15,8 +15,8 @@ std::vector<std::string> arguments_for(const SmallDie& die, const std::vector<st
   return arguments;
 }
 
-const std::vector<std::string> kTwoKnobs = {"--vary", "grain_diameter=0.8 mm", "--vary",
-                                            "time_step=0.3,0.25"};
+const std::vector<std::string> kTwoParameters = {"--vary", "grain_diameter=0.8 mm", "--vary",
+                                                 "time_step=0.3,0.25"};
 
 nlohmann::json tradeoff_of(const SmallDie& die) {
   return nlohmann::json::parse(contents(die.out() / "tradeoff.json"));
@@ -32,7 +32,7 @@ TEST(Tradeoff, ChartsCostsAndErrorsOfEverySetting) {
   const SmallDie die;
   // Fine enough for as many grains deep in the pocket as a mean solid fraction takes.
   die.exchange("grain_diameter = \"1 mm\"", "grain_diameter = \"0.68 mm\"");
-  auto arguments = arguments_for(die, kTwoKnobs);
+  auto arguments = arguments_for(die, kTwoParameters);
   arguments.insert(arguments.end(), {"--seeds", "2", "--tolerance", "100", "--reference", "base"});
   const Outcome outcome = run_program(arguments);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -58,12 +58,12 @@ TEST(Tradeoff, ChartsCostsAndErrorsOfEverySetting) {
   EXPECT_LT(coarse.at("core_seconds").get<double>(), base.at("core_seconds").get<double>());
   ASSERT_TRUE(coarse.at("error").is_number());
   EXPECT_GT(coarse.at("error").get<double>(), 0);
-  // Everything is accepted here: all knobs that save time are turned together, and that is the cheapest.
+  // Everything is accepted here: all parameters that save time are turned together, and that is the cheapest.
   const auto combined = setting_of(tradeoff, "combined");
   ASSERT_FALSE(combined.is_null()) << outcome.out;
   EXPECT_EQ(combined.at("changes").at("grain_diameter"), "0.8 mm");
   EXPECT_EQ(combined.at("seeds"), 2);
-  for (const char* picture : {"tradeoff.png", "knob_grain_diameter.png", "knob_time_step.png"})
+  for (const char* picture : {"tradeoff.png", "parameter_grain_diameter.png", "parameter_time_step.png"})
     EXPECT_EQ(contents(die.out() / picture).substr(0, 8), "\x89PNG\r\n\x1a\n") << picture;
   EXPECT_EQ(contents(die.out() / "tradeoff.csv").substr(0, 27), "setting,state,seeds,core_se");
   EXPECT_NE(outcome.out.find("recommended"), std::string::npos) << outcome.out;

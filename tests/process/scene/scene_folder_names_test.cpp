@@ -95,7 +95,7 @@ TEST(FolderNames, AreNeverThoseThatTheProgramWrites) {
   for (const std::string name :
        {"beginnings", "Beginnings", "tools", "comparison.json", "comparison.csv", "comparison.png",
         "jobs.json", "jobs.txt", "run_here.sh", "slurm.sh", "tradeoff.json", "tradeoff.png",
-        "knob_time_step.png", "report.html", "report.pdf", "previous-1", ".diefill-lock",
+        "parameter_time_step.png", "report.html", "report.pdf", "previous-1", ".diefill-lock",
         "comparison.json.diefill-12-0.tmp", "results.h5"}) {
     const std::string folder = folder_of_name(name);
     expect_safe(folder);

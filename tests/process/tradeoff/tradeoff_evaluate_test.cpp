@@ -20,7 +20,7 @@ TradeoffPoint point(const std::string& name, double cost, const std::vector<doub
                     double scatter = kNone, std::uint64_t seeds = 1) {
   TradeoffPoint made;
   made.name = name;
-  if (name != "base") made.changes = {{"knob", name}};
+  if (name != "base") made.changes = {{"parameter", name}};
   made.state = "finished";
   made.seeds = seeds;
   made.core_seconds = cost;

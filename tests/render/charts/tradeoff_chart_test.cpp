@@ -45,7 +45,7 @@ Tradeoff crowded() {
   tradeoff.points[2].reference = tradeoff.points[2].pareto = true;
   tradeoff.points[12].recommended = tradeoff.points[12].pareto = true;
   tradeoff.points[11].pareto = tradeoff.points[7].pareto = tradeoff.points[10].pareto = true;
-  tradeoff.knobs = {
+  tradeoff.parameters = {
       {"grain_diameter", "model grain diameter d", {1, 0, 2}, {"2.82 mm", "1.88 mm", "1.41 mm"}}};
   return tradeoff;
 }
@@ -90,11 +90,11 @@ TEST_F(TradeoffCharts, ALegendOfAllMarksTakesTwoRows) {
   EXPECT_EQ(draw_mark_legend(nullptr, 36, 100, 1528, tradeoff), 2 * one);
 }
 
-TEST_F(TradeoffCharts, AKnobWithOneSeedHasNoErrorBarsButAnAxis) {
+TEST_F(TradeoffCharts, AParameterWithOneSeedHasNoErrorBarsButAnAxis) {
   Tradeoff tradeoff = crowded();
   for (auto& one : tradeoff.points)
     for (auto& value : one.values) value.scatter = std::nan("");
-  const auto axis = compose_knob(tradeoff, tradeoff.knobs.front()).deviation.y.range;
+  const auto axis = compose_parameter(tradeoff, tradeoff.parameters.front()).deviation.y.range;
   EXPECT_GE(axis.upper, 100 * (0.21 - 0.02) / 1.02);
   EXPECT_LE(axis.upper, 25);
 }
@@ -163,23 +163,23 @@ TEST_F(TradeoffCharts, SettingsWithoutResultAreLeftOut) {
   EXPECT_EQ(compose_tradeoff(single).points.size(), 1U);
 }
 
-TEST_F(TradeoffCharts, AKnobsChartHasACategoryForEachValue) {
+TEST_F(TradeoffCharts, AParametersChartHasACategoryForEachValue) {
   const Tradeoff tradeoff = crowded();
-  const auto picture = compose_knob(tradeoff, tradeoff.knobs.front());
-  keep(picture.image, "knob_grain_diameter.png");
+  const auto picture = compose_parameter(tradeoff, tradeoff.parameters.front());
+  keep(picture.image, "parameter_grain_diameter.png");
   EXPECT_TRUE(has_white_border(picture.image, 8));
   EXPECT_EQ(picture.cost.x.ticks.labels, (std::vector<std::string>{"2.82 mm", "1.88 mm (base)", "1.41 mm"}));
   EXPECT_GE(picture.cost.y.range.upper, 52);
   EXPECT_EQ(picture.cost.y.range.lower, 0);
   EXPECT_GE(picture.deviation.y.range.upper, 100 * (0.21 - 0.02) / 1.02);
-  draw_knob(file("knob.png"), tradeoff, tradeoff.knobs.front());
-  EXPECT_EQ(contents(file("knob.png")).substr(0, 8), "\x89PNG\r\n\x1a\n");
+  draw_parameter(file("parameter.png"), tradeoff, tradeoff.parameters.front());
+  EXPECT_EQ(contents(file("parameter.png")).substr(0, 8), "\x89PNG\r\n\x1a\n");
 }
 
 TEST_F(TradeoffCharts, LookLikeTheirReferences) {
   const Tradeoff tradeoff = crowded();
   expect_like_reference(compose_tradeoff(tradeoff).image, "tradeoff.png");
-  expect_like_reference(compose_knob(tradeoff, tradeoff.knobs.front()).image, "knob.png");
+  expect_like_reference(compose_parameter(tradeoff, tradeoff.parameters.front()).image, "parameter.png");
 }
 
 TEST(Labels, GoBesideTheirPointsWhereThereIsRoom) {
