@@ -128,6 +128,7 @@ struct HeapSpec {
 struct MeasureSpec {
   std::optional<double> fill_plane;  ///< m, height that the cavity lies below; none: the top of the die
   double averaging_width = 0;        ///< m, sigma of Eq. 2.27; 0: the larger of 0.5 mm and d/2
+  std::string width_place;  ///< where that stands, "file:line:column: measure.averaging_width"; may be empty
   int azimuth_bins = 36;
   double snapshot_interval = 0;       ///< s of simulated time between instants kept in the results; 0: none
   std::vector<SectionSpec> sections;  ///< empty: the plane through the cavity's axis along the shoe's motion

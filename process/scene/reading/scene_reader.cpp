@@ -97,7 +97,7 @@ Scene scene_of(toml::table& parsed, const std::string& text, const std::filesyst
   check_mixture(document, scene);
   scene.probes = read_probes(document, scene.tools);
   scene.snapshots = read_snapshots(document, scene);
-  scene.measure = read_measure(table_or_empty(document, "measure", empty));
+  scene.measure = read_measure(table_or_empty(document, "measure", empty), scene.powder);
   read_economy(table_or_empty(document, "economy", empty), scene);
   if (auto suction = document.table("suction")) scene.suction = read_suction(*suction, scene);
   refuse_free_tools_beside(scene);
