@@ -47,6 +47,7 @@ void require_output_file(const OutputFile& output, const std::vector<fs::path>& 
   if (is_input(output.file, inputs))
     throw process::SceneError(found + ", which the command reads; choose another file");
   require_directory(directory_of(output.file), output.option);
+  require_writable(directory_of(output.file), output.option);
 }
 
 void require_other_files(const std::string& option, const fs::path& directory,
