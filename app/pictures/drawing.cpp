@@ -33,6 +33,15 @@ std::vector<results::FillResult> of_other_cavities(const results::FillResult& re
   return others;
 }
 
+render::ColourRange range_of_all_cavities(const std::vector<const results::FillResult*>& results) {
+  std::vector<results::FillResult> others;
+  for (const auto* result : results)
+    for (auto& other : of_other_cavities(*result)) others.push_back(std::move(other));
+  std::vector<const results::FillResult*> all = results;
+  for (const auto& other : others) all.push_back(&other);
+  return render::solid_fraction_range(all);
+}
+
 std::vector<std::filesystem::path> draw(const std::filesystem::path& directory,
                                         const results::FillResult& result) {
   set_up_drawing();

@@ -194,6 +194,14 @@ TEST(Map, RedrawsWithTheWidthOfTheRun) {
   }
 }
 
+TEST(Map, TheViewHasTheColoursOfTheRunsOwnPictures) {
+  const SmallDie die;
+  die.exchange("velocity = \"0.1 m/s\"", "velocity = \"0.2 m/s\"");
+  ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
+  ASSERT_EQ(run_program({"map", die.out().string(), "--picture", "view"}).exit_code, 0);
+  EXPECT_TRUE(contents(die.out() / "view.png") == contents(die.out() / "snapshot.png"));
+}
+
 TEST(Check, RefusesAnAveragingWidthBeyondTheCavity) {
   const SmallDie die;
   die.exchange("[numerics]", "[measure]\naveraging_width = \"100 mm\"\n\n[numerics]");
