@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/simulation/standard_gravity.h"
 #include "process/input/scene_error.h"
 #include "process/machine/step.h"
 #include "process/machine/tool_spec.h"
@@ -156,8 +157,8 @@ struct Scene {
   NumericsSpec numerics;
   MeasureSpec measure;
   EconomySpec economy;
-  std::optional<SuctionSpec> suction;       ///< none: air does not flow
-  Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
+  std::optional<SuctionSpec> suction;                           ///< none: air does not flow
+  Eigen::Vector3d gravity = {0, 0, -engine::kStandardGravity};  ///< m/s^2
 };
 
 /// m, the smallest and the largest grain size wanted of all powders.
