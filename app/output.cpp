@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <stdexcept>
@@ -43,6 +44,19 @@ void require_directory(const std::filesystem::path& directory, const std::string
       throw process::SceneError(
           cannot_write(directory, place.string() + " is a broken symbolic link", option));
   }
+}
+
+void require_writable(const std::filesystem::path& directory, const std::string& option) {
+  std::error_code none;
+  std::filesystem::path place = directory;
+  while (place.has_relative_path() && !std::filesystem::exists(place, none)) place = place.parent_path();
+  std::string file = ((place.empty() ? "." : place) / ".diefill-XXXXXX").string();
+  const int made = ::mkstemp(file.data());
+  if (made < 0)
+    throw std::runtime_error(
+        cannot_write(directory, std::error_code(errno, std::generic_category()).message(), option));
+  ::close(made);
+  ::unlink(file.c_str());
 }
 
 void make_output_directory(const std::filesystem::path& directory, const std::string& option) {

@@ -19,6 +19,10 @@ std::filesystem::path default_directory(const std::filesystem::path& file, const
 /// it. Makes nothing.
 void require_directory(const std::filesystem::path& directory, const std::string& option = "--out");
 
+/// Throws std::runtime_error, in one line, where no file can be made in the directory, or in the one above it
+/// where it is to be made. A file is made there and removed: permissions alone do not tell.
+void require_writable(const std::filesystem::path& directory, const std::string& option = "--out");
+
 /// Makes the directory, with those above it, before hours are spent on what is to go there. Throws as
 /// require_directory(), and std::runtime_error, in one line, when it cannot be made or written to.
 void make_output_directory(const std::filesystem::path& directory, const std::string& option = "--out");

@@ -37,13 +37,15 @@ std::string in_one_line(const CLI::App* program, const CLI::Error& error) {
     command += ' ' + chosen->get_name();
   }
   const std::string wrong = unknown_argument(*program).value_or("diefill: " + argument_message(error));
-  return process::one_line(wrong, kLongest) + "; " + command + " --help lists the options\n";
+  return process::one_line(process::with_short_words(wrong), kLongest) + "; " + command +
+         " --help lists the options\n";
 }
 
 /// Whether an argument is empty; if so, prints a message to standard error.
 bool refuse_empty_word(int argc, char** argv) {
   const auto wrong = empty_argument({argv + std::min(argc, 1), argv + argc});
-  if (wrong) std::fprintf(stderr, "diefill: %s\n", process::one_line(*wrong, 600).c_str());
+  if (wrong)
+    std::fprintf(stderr, "diefill: %s\n", process::one_line(process::with_short_words(*wrong), 600).c_str());
   return wrong.has_value();
 }
 

@@ -10,6 +10,7 @@
 #include "app/tables/estimate_report.h"
 #include "app/tables/json_text.h"
 #include "app/tables/variant_estimates.h"
+#include "engine/numerics/seconds_since.h"
 #include "process/plan/setting.h"
 #include "process/setup/read_tooling.h"
 
@@ -22,10 +23,6 @@ struct EstimateArguments {
   std::vector<std::string> changes;
   bool json = false;
 };
-
-double seconds_since(std::chrono::steady_clock::time_point then) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
-}
 
 /// m. Throws process::SceneError.
 double diameter(const std::string& text, const process::Scene& scene) {
@@ -77,10 +74,10 @@ int run_estimate(const EstimateArguments& arguments) {
   const auto options = options_of(arguments, scene);
   auto began = std::chrono::steady_clock::now();
   const process::Tooling tooling = tooling_of(scene);
-  const double reading = seconds_since(began);
+  const double reading = engine::seconds_since(began);
   began = std::chrono::steady_clock::now();
   const auto found = process::estimate::estimate(scene, tooling, options);
-  const double estimating = seconds_since(began);
+  const double estimating = engine::seconds_since(began);
   const auto variants = estimates_of_variants(arguments, options);
   if (arguments.json) {
     nlohmann::ordered_json json = {{"title", scene.title}};

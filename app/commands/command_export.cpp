@@ -116,8 +116,8 @@ void add_export(CLI::App& program, Action& chosen) {
   command->add_option("DIR", arguments->directory, "results directory of a run")->required();
   command->add_option("--out", arguments->out, "directory for the files (default: DIR/paraview)");
   command->add_option("--averaging-width", arguments->averaging_width,
-                      "Gaussian width sigma of the fields, such as '1 mm' (default: the larger of 0.5 mm and "
-                      "half the grain size)");
+                      "Gaussian width sigma of the fields, such as '1 mm' (default: that of the run's own "
+                      "fields)");
   add_density_options(*command, arguments->density);
   command->footer(
       "Writes powder.vtp (grains with velocity, solid fraction, pressure), tools.vtp, and fields.vti "

@@ -284,8 +284,8 @@ void add_place_options(CLI::App& command, MapArguments& arguments) {
       ->check(whole_number(1, kMaxCavities))
       ->capture_default_str();
   command.add_option("--averaging-width", arguments.averaging_width,
-                     "Gaussian width sigma of the averaging, such as '1 mm' (default: the larger of 0.5 mm "
-                     "and half the largest grain size)");
+                     "Gaussian width sigma of the averaging, such as '1 mm' (default: that of the run's own "
+                     "fields; of several DIR the largest)");
   command
       .add_option("--origin", arguments.origin, "point of the section plane, such as '0 mm' '0 mm' '-5 mm'")
       ->expected(3);

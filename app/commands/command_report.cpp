@@ -136,11 +136,6 @@ std::vector<render::report::Film> films_in(const fs::path& directory) {
   return films;
 }
 
-/// m, with which the result's own fields were averaged; 0: it has none.
-double averaging_width_of(const results::FillResult& result) {
-  return result.maps.empty() ? 0 : result.maps.front().averaging_width;
-}
-
 /// Measures what the views of the runs show, one run after the other, with progress over all of them.
 class ExtrasWithProgress {
  public:
@@ -164,7 +159,7 @@ int report(const ReportArguments& arguments) {
   require_distinct("DIR", {arguments.directories.begin(), arguments.directories.end()});
   auto runs = runs_in(arguments.directories);
   const auto files = files_of(arguments);
-  for (auto& run : runs) run.other_cavities = of_other_cavities(run.result, averaging_width_of(run.result));
+  for (auto& run : runs) run.other_cavities = of_other_cavities(run.result);
   for (auto& run : runs) run.films = films_in(run.name);
   for (auto& run : runs)
     for (const auto& file : measured)

@@ -196,6 +196,7 @@ int run(const RunArguments& arguments) {
   release_freed_memory();
   options.stop = &install_stop_handlers();
   process::FillRun fill(scene, tooling, options);  // refuses what cannot be begun, in one line
+  if (options.stop->load()) throw process::Interrupted(kStoppedDuringSetUp);
   print_alerts(finding_lines(process::setup_findings(scene, tooling)));
   if (!output) output.emplace(options.directory);
   if (!options.shared_starts.empty()) make_output_directory(options.shared_starts, "--beginnings");

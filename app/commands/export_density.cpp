@@ -182,11 +182,15 @@ void write_mesh_density(const results::FillResult& result, const DensityOptions&
        {"share in powder", 1, density.filled}});
 }
 
-process::DensityGrid grid_of(const results::FillResult& result, const DensityOptions& options,
+/// m, of --density-grid; nothing without it.
+std::optional<double> grid_spacing(const results::FillResult& result, const DensityOptions& options) {
+  if (options.grid.empty()) return std::nullopt;
+  return bounded_quantity("--density-grid", options.grid, process::Dimension::length,
+                          {0, largest_edge(result), true, "the largest edge of the cavity"});
+}
+
+process::DensityGrid grid_of(const results::FillResult& result, const DensityOptions& options, double spacing,
                              double averaging_width) {
-  const double edge = largest_edge(result);
-  const double spacing = bounded_quantity("--density-grid", options.grid, process::Dimension::length,
-                                          {0, edge, true, "the largest edge of the cavity"});
   try {
     return process::density_grid(result, spacing, averaging_width, cavity_mass(result, options));
   } catch (const std::invalid_argument& error) {
@@ -256,13 +260,16 @@ void export_density(const results::FillResult& whole, const DensityOptions& opti
   } catch (const std::invalid_argument& error) {
     throw process::SceneError("--cavity: " + std::string(error.what()));
   }
+  const auto spacing = grid_spacing(result, options);
   if (result.solid_fraction.solid_fraction.size() != result.powder.position.size() ||
       std::find(result.solid_fraction.open.begin(), result.solid_fraction.open.end(), 0) ==
           result.solid_fraction.open.end())
     throw process::SceneError(
-        "--density-for: the result holds no measured solid fraction; run the scene to its end");
+        std::string(options.mesh.empty() ? "--density-grid" : "--density-for") +
+        ": the result holds no measured solid fraction, as where its cavity took no powder or the run did not "
+        "end; run the scene to its end");
   std::optional<process::DensityGrid> grid;
-  if (!options.grid.empty()) grid = grid_of(result, options, averaging_width);
+  if (spacing) grid = grid_of(result, options, *spacing, averaging_width);
   Files written;
   write_output([&] {
     if (!options.mesh.empty()) write_mesh_density(result, options, averaging_width, out, written);

@@ -41,12 +41,16 @@ void require_output_file(const OutputFile& output, const std::vector<fs::path>& 
     for (const auto& ending : endings) allowed += (allowed.empty() ? "" : " or ") + ending;
     throw process::SceneError(found + ", allowed: a file that ends in " + allowed + "; nothing was written");
   }
-  std::error_code none;
-  if (fs::is_directory(output.file, none))
+  std::error_code error;
+  const auto status = fs::status(output.file, error);
+  if (error == std::errc::filename_too_long)
+    throw process::SceneError(found + ", whose name is too long; choose a shorter one");
+  if (fs::is_directory(status))
     throw process::SceneError(found + ", which is a directory; name a file in it");
   if (is_input(output.file, inputs))
     throw process::SceneError(found + ", which the command reads; choose another file");
   require_directory(directory_of(output.file), output.option);
+  require_writable(directory_of(output.file), output.option);
 }
 
 void require_other_files(const std::string& option, const fs::path& directory,

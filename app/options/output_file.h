@@ -18,9 +18,9 @@ struct OutputFile {
 /// The ending of a file's name in small letters, such as ".inp" of PART.INP.
 std::string ending_of(const std::filesystem::path& file);
 
-/// Throws process::SceneError, in one line, where the file has another ending (capitals are taken), is a
-/// directory, lies below a file, or is one of `inputs`, which the command reads: also by another path or a
-/// link.
+/// Throws process::SceneError, in one line, where the file has another ending (capitals are taken) or too
+/// long a name, is a directory, lies below a file, or is one of `inputs`, which the command reads: also by
+/// another path or a link. Throws as require_writable() where no file can be made in its directory.
 void require_output_file(const OutputFile& output, const std::vector<std::filesystem::path>& inputs);
 
 /// Throws process::SceneError where one is an input or a directory, for files `names` that the command writes

@@ -1,6 +1,7 @@
 #include "app/pictures/drawing.h"
 
 #include "process/measure/choose_cavity.h"
+#include "process/measure/fields/averaging_width.h"
 #include "process/measure/fields/measured_fields.h"
 #include "process/run/assemble.h"
 #include "render/fields/comparison_picture.h"
@@ -17,8 +18,7 @@ void set_up_drawing() {
   render::start_offscreen(count, arguments);
 }
 
-std::vector<results::FillResult> of_other_cavities(const results::FillResult& result,
-                                                   double averaging_width) {
+std::vector<results::FillResult> of_other_cavities(const results::FillResult& result) {
   constexpr int kAzimuthBins = 36;  // of profiles, which are not drawn
   std::vector<results::FillResult> others;
   results::FillResult whole = result;
@@ -27,17 +27,25 @@ std::vector<results::FillResult> of_other_cavities(const results::FillResult& re
   for (std::size_t n = 0; n < result.other_cavities.size(); ++n) {
     others.push_back(whole);
     process::choose_cavity(others.back(), static_cast<int>(n) + 2);
-    process::measure_fields(others.back(), {averaging_width, {}}, kAzimuthBins);
+    process::measure_fields(others.back(), {process::measured_averaging_width(result), {}}, kAzimuthBins);
     others.back().sections.clear();
   }
   return others;
 }
 
+render::ColourRange range_of_all_cavities(const std::vector<const results::FillResult*>& results) {
+  std::vector<results::FillResult> others;
+  for (const auto* result : results)
+    for (auto& other : of_other_cavities(*result)) others.push_back(std::move(other));
+  std::vector<const results::FillResult*> all = results;
+  for (const auto& other : others) all.push_back(&other);
+  return render::solid_fraction_range(all);
+}
+
 std::vector<std::filesystem::path> draw(const std::filesystem::path& directory,
                                         const results::FillResult& result) {
   set_up_drawing();
-  const double width = result.maps.empty() ? 0 : result.maps.front().averaging_width;
-  const auto others = of_other_cavities(result, width);
+  const auto others = of_other_cavities(result);
   std::vector<const results::FillResult*> all = {&result};
   for (const auto& other : others) all.push_back(&other);
   const render::ColourRange range = render::solid_fraction_range(all);

@@ -79,11 +79,6 @@ void FilmFrames::prepare() {
   common_.camera = request.camera;
   // Of several, one pixel a layout point is enough.
   common_.pixels = request.sources.size() > 1 ? 1 : pixels_of(request);
-  if (request.colour_by == "solid-fraction" && std::isnan(request.lower)) {
-    const auto range = render::solid_fraction_range(results);
-    common_.lower = range.lower;
-    common_.upper = range.upper;
-  }
   fix_scale(common_, request.colour_by, results);
   view_ = common_view(request, turntable_);
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "app/pictures/drawing.h"
 #include "process/input/scene_error.h"
 #include "process/measure/coordination.h"
 #include "process/measure/earlier_instant.h"
@@ -123,6 +124,12 @@ void colour_grains(render::ViewOptions& options, const std::string& by, const re
 void fix_scale(render::ViewOptions& options, const std::string& by,
                const std::vector<const results::FillResult*>& results) {
   if (by == "powder" || (!std::isnan(options.lower) && !std::isnan(options.upper))) return;
+  if (by == "solid-fraction") {
+    const auto range = range_of_all_cavities(results);
+    if (std::isnan(options.lower)) options.lower = range.lower;
+    if (std::isnan(options.upper)) options.upper = range.upper;
+    if (!std::isnan(options.lower) && !std::isnan(options.upper)) return;
+  }
   std::vector<double> values;
   for (const auto* result : results) {
     const std::vector<double> own = by == "speed" ? speeds_over_time(*result) : values_at_end(*result, by);

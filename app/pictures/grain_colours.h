@@ -18,8 +18,8 @@ void colour_grains(render::ViewOptions& options, const std::string& by, const re
                    const results::FillResult& whole);
 
 /// One scale for all instants of all results where none is given, so that a colour means the same in all of
-/// them: speeds from 0 to what all but a few grains reach at any instant, other values as they are at the
-/// ends of the runs. Throws as colour_grains().
+/// them: the solid fraction that of the runs' maps and sections, speeds from 0 to what all but a few grains
+/// reach at any instant, other values as they are at the ends of the runs. Throws as colour_grains().
 void fix_scale(render::ViewOptions& options, const std::string& by,
                const std::vector<const results::FillResult*>& results);
 

@@ -27,7 +27,9 @@ render::ViewOptions options_of(const PictureRequest& request) {
 Pictures make_view(const PictureRequest& request) {
   Pictures written;
   render::ViewOptions common = options_of(request);
-  if (request.sources.size() > 1) fix_scale(common, request.colour_by, results_of(request));
+  // The solid fraction has the scale of the run's own pictures.
+  if (request.sources.size() > 1 || request.colour_by == "solid-fraction")
+    fix_scale(common, request.colour_by, results_of(request));
   for (const auto& source : request.sources) {
     const results::FillResult shown =
         request.to ? process::result_at(source.result, *request.to) : source.result;

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "process/measure/earlier_instant.h"
+#include "process/measure/fields/averaging_width.h"
 #include "process/measure/fields/gaussian_field.h"
-#include "process/measure/fields/measured_fields.h"
 #include "process/measure/tool_solids.h"
 #include "render/report/viewer/packed_run.h"
 
@@ -33,7 +33,7 @@ Eigen::AlignedBox3d cavity_box(const results::FillResult& result) {
 
 DensityGrid density_over(const results::FillResult& result, const Eigen::AlignedBox3d& box) {
   DensityGrid grid;
-  grid.averaging_width = process::default_averaging_width(result.powder.grain_diameter);
+  grid.averaging_width = process::usual_averaging_width(result);
   grid.spacing = std::max(box.sizes().maxCoeff() / kPointsAlong, kSpacingOverWidth * grid.averaging_width);
   grid.origin = box.min();
   grid.counts = (box.sizes() / grid.spacing).array().ceil().cast<int>() + 1;

@@ -48,7 +48,7 @@ std::string difference(const results::ComparedValue& value, std::optional<int> o
     return results::description(value.verdict);
   const std::string interval = number(value.interval, value.interval, value.difference, otherwise);
   if (value.verdict == Verdict::none) return "none (within +-" + interval + ')';
-  std::string shown = value.difference >= 0 ? "+" : "";
+  std::string shown = value.difference > 0 ? "+" : "";
   shown += number(value.difference, value.interval, value.difference, otherwise);
   if (value.verdict == Verdict::scatter_unknown) return shown + " (scatter unknown)";
   return shown + " +- " + interval;

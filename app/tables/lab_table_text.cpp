@@ -30,7 +30,7 @@ Cells cells_of(const results::LabRow& row) {
           results::published_text(row),
           results::here_text(row) + results::unit_behind(row.unit),
           row.verdict,
-          std::to_string(row.values.size()),
+          std::to_string(results::seeds_of(row)),
           digits(1e3 * row.grain_diameter, "%.3g"),
           digits(row.core_seconds, "%.0f")};
 }

@@ -12,6 +12,7 @@
 
 #include "engine/numerics/loop_shares.h"
 #include "engine/numerics/per_worker.h"
+#include "engine/numerics/seconds_since.h"
 #include "engine/numerics/work_range.h"
 
 namespace diefill::engine {
@@ -19,10 +20,6 @@ namespace diefill::engine {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// Waits for a moment without leaving the processor.
 void pause() {

@@ -2,16 +2,13 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <numbers>
 #include <stdexcept>
+
+#include "engine/powder/sphere_volume.h"
 
 namespace diefill::engine {
 
 namespace {
-
-double sphere_volume(double radius) {
-  return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
-}
 
 std::vector<Eigen::Vector3d> octahedron(double distance) {
   std::vector<Eigen::Vector3d> corners;

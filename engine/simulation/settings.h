@@ -11,6 +11,7 @@
 #include "engine/powder/particle_types.h"
 #include "engine/powder/periodic_box.h"
 #include "engine/simulation/sleeping.h"
+#include "engine/simulation/standard_gravity.h"
 
 namespace diefill::engine {
 
@@ -21,8 +22,8 @@ struct SimulationSettings {
   ContactLaws contact = one_powder({}, {});
   /// Of clumps; single spheres have none or their surface, after GrainShape::rotates.
   LeverArm lever_arm = LeverArm::contact;
-  Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
-  double air_viscosity = 0;                 ///< Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9)
+  Eigen::Vector3d gravity = {0, 0, -kStandardGravity};  ///< m/s^2
+  double air_viscosity = 0;         ///< Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9)
   std::optional<AirFlow> air_flow;  ///< air that a tool draws through the powder; not where grains sleep
   double time_step = 0;             ///< s
   PeriodLengths period;             ///< m, box centred on the origin

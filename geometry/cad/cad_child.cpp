@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -176,9 +177,19 @@ void send(const CadParts& contents, Sender& sender) {
   }
 }
 
-[[noreturn]] void be_the_child(const std::function<CadParts()>& read, const ChildLimits& limits, int pipe) {
-  for (const int fatal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS, SIGINT, SIGTERM})
+/// Whether and however the parent ends, the child ends with it. Ctrl-C in a terminal goes to both: the parent
+/// decides.
+void end_with(pid_t parent) {
+  ::signal(SIGINT, SIG_IGN);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(0);
+}
+
+[[noreturn]] void be_the_child(const std::function<CadParts()>& read, const ChildLimits& limits, int pipe,
+                               pid_t parent) {
+  for (const int fatal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS, SIGTERM, SIGHUP})
     ::signal(fatal, SIG_DFL);
+  end_with(parent);
   silence();
   set_limits(limits);
   Sender sender(pipe);
@@ -242,7 +253,7 @@ ChildError error_of(ChildFailure failure, const std::string& words) {
 CadParts read_in_child(const std::function<CadParts()>& read, const ChildLimits& limits) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw error_of(ChildFailure::kNoChild, "cannot open a pipe to read it");
-  const pid_t child = ::fork();
+  const pid_t parent = ::getpid(), child = ::fork();
   if (child < 0) {
     ::close(ends[0]);
     ::close(ends[1]);
@@ -250,7 +261,7 @@ CadParts read_in_child(const std::function<CadParts()>& read, const ChildLimits&
   }
   if (child == 0) {
     ::close(ends[0]);
-    be_the_child(read, limits, ends[1]);
+    be_the_child(read, limits, ends[1], parent);
   }
   ::close(ends[1]);
   Receiver receiver(ends[0], std::chrono::seconds(kWallOverProcessor * seconds_of(limits)));

@@ -1,4 +1,5 @@
-// Reads CAD files in a child process: a crash of a library on a broken file does not end this process.
+// Reads CAD files in a child process: a crash of a library on a broken file does not end this process, and
+// the child does not outlive it.
 #pragma once
 
 #include <functional>

@@ -26,6 +26,8 @@ std::vector<double> values_of_profile(const results::FillResult& result, const s
                                       const MeasuredTable& data, const std::string& where) {
   results::FillResult levelled;
   levelled.profiles = result.profiles;
+  levelled.cavity = result.cavity;
+  levelled.other_cavities = result.other_cavities;
   for (results::Profile& profile : levelled.profiles) {
     if (!same_name(results::quantity_and_cavity(profile.quantity).first, "fill level")) continue;
     for (double& level : profile.y)

@@ -9,6 +9,7 @@
 #include "process/compare/statistics.h"
 #include "process/input/scene_error.h"
 #include "process/results/none.h"
+#include "process/results/rounding.h"
 #include "process/results/storage/result_file.h"
 #include "process/run/restart/input_record.h"
 
@@ -116,13 +117,26 @@ results::ComparedRun compared_run(const std::filesystem::path& directory, const 
   return run;
 }
 
+/// Values that are the same but for rounding do not scatter.
+Sample without_rounding(Sample sample, double period) {
+  if (results::is_rounding(sample.scatter, std::max(std::abs(sample.mean), period))) sample.scatter = 0;
+  return sample;
+}
+
+/// `period`: of angles; 0 for other measures.
+double difference_beyond_rounding(const Sample& first, const Sample& sample, double period) {
+  const double off = difference(first.mean, sample.mean, period);
+  const double size = std::max({std::abs(first.mean), std::abs(sample.mean), period});
+  return results::is_rounding(off, size) ? 0 : off;
+}
+
 results::ComparedValue compared_value(const Sample& first, const Sample& sample, double period,
                                       bool is_first) {
   results::ComparedValue value;
   value.mean = sample.mean;
   value.scatter = sample.scatter;
   value.seeds = sample.count;
-  value.difference = is_first ? kNone : difference(first.mean, sample.mean, period);
+  value.difference = is_first ? kNone : difference_beyond_rounding(first, sample, period);
   value.interval = is_first ? kNone : welch_half_width(first, sample);
   using results::Verdict;
   if (sample.count == 0 || first.count == 0)
@@ -159,7 +173,8 @@ std::vector<results::ComparedMeasure> compare_runs(const std::vector<std::string
   for (const auto& measure : measures) {
     std::vector<Sample> samples;
     for (const auto& variant : variants)
-      samples.push_back(sample_of(values_of(measure.key, variant, runs), measure.period));
+      samples.push_back(
+          without_rounding(sample_of(values_of(measure.key, variant, runs), measure.period), measure.period));
     const auto measured = [](const Sample& sample) { return sample.count > 0; };
     if (std::none_of(samples.begin(), samples.end(), measured)) continue;
     results::ComparedMeasure compared{measure.key, measure.name, measure.unit, {}};

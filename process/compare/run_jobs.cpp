@@ -10,6 +10,7 @@
 #include <memory>
 #include <regex>
 
+#include "engine/numerics/seconds_since.h"
 #include "process/compare/child_process.h"
 #include "process/compare/job_folder.h"
 #include "process/results/storage/atomic_file.h"
@@ -152,7 +153,7 @@ class JobPool {
 
   void record_finished(RunningJob& running, int code) {
     const results::Job& job = *running.job;
-    const double seconds = std::chrono::duration<double>(Clock::now() - running.started).count();
+    const double seconds = engine::seconds_since(running.started);
     const ProcessCost cost = running.process->cost();
     results::add_job_cost(directory_ / job.folder, {cost.cpu_seconds, seconds, cost.peak_memory_bytes});
     spent_ += cost.cpu_seconds;
@@ -187,7 +188,7 @@ class JobPool {
     for (const RunningJob& running : running_)
       if (running.job == &job)
         return {&job, "running", share_in(directory_ / job.folder / kJobLog),
-                std::chrono::duration<double>(Clock::now() - running.started).count()};
+                engine::seconds_since(running.started)};
     if (std::find(waiting_.begin(), waiting_.end(), &job) != waiting_.end()) return {&job, "waiting", 0, 0};
     const JobState state = state_of(directory_, job);
     if (state.stage == JobState::Stage::finished) return {&job, "finished", 1, 0};
@@ -201,7 +202,7 @@ class JobPool {
     JobListProgress all;
     for (const auto& job : list_.jobs) all.jobs.push_back(state_now(job));
     all.share = share_done();
-    all.seconds = std::chrono::duration<double>(Clock::now() - began_).count();
+    all.seconds = engine::seconds_since(began_);
     all.first_share = static_cast<double>(done_before_) / static_cast<double>(std::max<std::size_t>(all_, 1));
     options_.watch(all);
   }

@@ -2,10 +2,11 @@
 // through a slit or hole, and what a moving shoe leaves in a slit or cavity.
 #pragma once
 
+#include "engine/simulation/standard_gravity.h"
+
 namespace diefill::process::continuum {
 
-/// m/s^2
-inline constexpr double kStandardGravity = 9.81;
+using engine::kStandardGravity;
 
 /// The powder and the slit it runs through.
 struct SlitFlow {

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "process/continuum/cumulated_mass.h"
 #include "process/input/units.h"
@@ -223,6 +224,16 @@ CovarianceOfSums shared_errors(DischargeLaw law, const DischargeData& data, cons
   };
 }
 
+/// Sums round as their order goes: points that are independent are fitted in one order, whichever they come
+/// in. That of points over time tells their outflows apart.
+void put_in_order(DischargeLaw law, std::vector<DischargePoint>& points) {
+  if (law == DischargeLaw::transient) return;
+  const auto key = [](const DischargePoint& p) {
+    return std::tie(p.width, p.speed, p.length, p.shoe_length, p.value, p.error);
+  };
+  std::sort(points.begin(), points.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+}
+
 double largest_value(const DischargeData& data) {
   double largest = 0;
   for (const auto& point : data.points) largest = std::max(largest, point.value);
@@ -241,6 +252,7 @@ DischargeFit fit_discharge(DischargeLaw law, const DischargeData& given) {
   refuse_closed(law, given);
   DischargeData data = given;
   std::erase_if(data.points, [&](const auto& point) { return !within_range(law, point, given); });
+  put_in_order(law, data.points);
   const SeparableModel model = model_of(law, data);
   refuse_too_few(model, given.points.size(), data.points.size());
   if (data.points.size() > model.names.size()) refuse_constant(law, data);

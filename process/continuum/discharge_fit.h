@@ -36,20 +36,22 @@ struct DischargeFit {
   DischargeLaw law = DischargeLaw::moving_shoe;
   std::vector<std::string> names;  ///< of the numbers
   SeparableFit fit;
-  double largest_x = 0;              ///< of t sqrt(g/D) - 1/5 among the points; 0 for Beverloo's laws
-  double relative_scatter = 0;       ///< root mean square of (value - fit) / fit
-  std::size_t left_out = 0;          ///< points before the flow begins, or beyond 5 sqrt(g D)
-  std::vector<DischargePoint> used;  ///< the points that were fitted
+  double largest_x = 0;         ///< of t sqrt(g/D) - 1/5 among the points; 0 for Beverloo's laws
+  double relative_scatter = 0;  ///< root mean square of (value - fit) / fit
+  std::size_t left_out = 0;     ///< points before the flow begins, or beyond 5 sqrt(g D)
+  std::vector<DischargePoint>
+      used;  ///< the points that were fitted, by rising width and speed but for outflows
 
   double number(const std::string& name) const;
 };
 
-/// Fits the law. Points without errors count with equal relative errors, those over time with equal ones. The
-/// covariance of the transient law takes the mass of an outflow, points of one width with rising times, as a
-/// random walk (cumulated_mass.h). The effective opening's factor of a Beverloo law (1.4 otherwise) is fitted
-/// where a grain diameter is given and there are three widths. Throws std::invalid_argument, in one line,
-/// where the points do not determine it, where an opening lets no grain through, and where the fitted law is
-/// none of a flow, such as with a negative rate.
+/// Fits the law. The order of the points counts only for the transient law, where it tells outflows of one
+/// width apart; other laws give the same to the last bit for any order. Points without errors count with
+/// equal relative errors, those over time with equal ones. The covariance of the transient law takes the mass
+/// of an outflow, points of one width with rising times, as a random walk (cumulated_mass.h). The effective
+/// opening's factor of a Beverloo law (1.4 otherwise) is fitted where a grain diameter is given and there are
+/// three widths. Throws std::invalid_argument, in one line, where the points do not determine it, where an
+/// opening lets no grain through, and where the fitted law is none of a flow, such as with a negative rate.
 DischargeFit fit_discharge(DischargeLaw law, const DischargeData& data);
 
 /// What the fitted law gives for `point`.

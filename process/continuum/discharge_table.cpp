@@ -262,6 +262,16 @@ void count_from_opening(const CommonToAll& common, DischargeLaw law, const std::
   }
 }
 
+/// Laws are linear in the density: points with a density of their own are scaled to the lowest.
+void scale_to_one_density(const std::vector<double>& densities, DischargeData& data) {
+  if (densities.empty()) return;
+  data.density = *std::min_element(densities.begin(), densities.end());
+  for (std::size_t k = 0; k < densities.size(); ++k) {
+    data.points[k].value *= data.density / densities[k];
+    data.points[k].error *= data.density / densities[k];
+  }
+}
+
 }  // namespace
 
 DischargeLaw law_for_table(const std::filesystem::path& file) {
@@ -286,19 +296,16 @@ DischargeData read_discharge_table(const std::filesystem::path& path, DischargeL
   DischargeData data;
   data.density = common.density.value_or(0);
   data.grain_diameter = common.grain_diameter.value_or(0);
+  std::vector<double> densities;
   while (file.next()) {
     double density = data.density;
-    DischargePoint point = point_of(file, columns, law, common, density);
-    if (data.points.size() == kMaxPoints)
+    data.points.push_back(point_of(file, columns, law, common, density));
+    densities.push_back(density);
+    if (data.points.size() > kMaxPoints)
       throw SceneError(file.place() + ": found more than " + std::to_string(kMaxPoints) +
                        " measurements; leave out some");
-    // Laws are linear in the density: points with a density of their own are scaled to that of the first
-    // point.
-    if (data.density == 0) data.density = density;
-    point.value *= data.density / density;
-    point.error *= data.density / density;
-    data.points.push_back(point);
   }
+  scale_to_one_density(densities, data);
   leave_out_later(common, law, path, data);
   count_from_opening(common, law, path, data);
   return data;

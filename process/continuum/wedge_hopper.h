@@ -2,6 +2,8 @@
 // half angle and slot width at which powder does not arch.
 #pragma once
 
+#include "engine/simulation/standard_gravity.h"
+
 namespace diefill::process::continuum {
 
 /// What a shear tester says about a powder at one consolidation.
@@ -27,6 +29,6 @@ struct WedgeHopper {
 /// width. Where the pre-shear point lies above the locus, the Mohr circle touches the locus at sigma_p.
 /// Throws std::invalid_argument, in one line, for values that are not positive, for a wall angle of phi_e or
 /// more, and where no half angle above 0 has mass flow.
-WedgeHopper wedge_hopper(const ShearTest& test, double gravity = 9.81);
+WedgeHopper wedge_hopper(const ShearTest& test, double gravity = engine::kStandardGravity);
 
 }  // namespace diefill::process::continuum

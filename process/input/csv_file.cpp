@@ -10,6 +10,7 @@
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
 #include "process/input/text_encoding.h"
+#include "process/input/unit_conversion.h"
 #include "process/input/unit_text.h"
 #include "process/results/trimmed.h"
 
@@ -73,6 +74,20 @@ char other_separator(const std::string& line, char separator, std::size_t cells)
   return 0;
 }
 
+/// Where the name in a heading ends; npos where no unit follows it.
+std::size_t end_of_name(const std::string& cell) {
+  if (const std::size_t bracket = cell.rfind('['); bracket != std::string::npos) return bracket;
+  if (const std::size_t bracket = cell.rfind('('); bracket != std::string::npos) return bracket;
+  constexpr const char* kBlanks = " \t";
+  const std::size_t first = cell.find_first_of(kBlanks);
+  for (std::size_t blank = first; blank != std::string::npos;
+       blank = cell.find_first_of(kBlanks, blank + 1)) {
+    const std::string behind = trimmed_cell(cell.substr(blank));
+    if (!behind.empty() && has_same_dimension(behind, behind)) return blank;
+  }
+  return first;
+}
+
 }  // namespace
 
 std::string trimmed_cell(const std::string& text) {
@@ -80,8 +95,7 @@ std::string trimmed_cell(const std::string& text) {
 }
 
 CsvHeading csv_heading(const std::string& cell) {
-  std::size_t end = cell.find_first_of("[(");
-  if (end == std::string::npos) end = cell.find_first_of(" \t");
+  const std::size_t end = end_of_name(cell);
   if (end == std::string::npos) return {cell, ""};
   std::string unit = cell.substr(end);
   std::erase_if(unit, [](char c) { return c == '[' || c == ']' || c == '(' || c == ')'; });

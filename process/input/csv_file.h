@@ -18,7 +18,8 @@ struct CsvHeading {
   std::string name, unit;  ///< unit empty where none is given
 };
 
-/// Splits at the bracket, or at the first blank where there is no bracket.
+/// Splits at the last bracket. Without brackets at the first blank with a known unit behind it ("filled mass
+/// kg"), or at the first blank where no unit is known.
 CsvHeading csv_heading(const std::string& cell);
 
 /// Walks through a table line by line. Commas, semicolons or tabs separate cells, whichever the heading has;

@@ -7,12 +7,28 @@
 namespace diefill::process {
 namespace {
 
+constexpr std::size_t kLongest = 200;  // letters; the distance takes the product of both lengths in time
+
 std::string plain(std::string word) {
   for (char& letter : word) {
     letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     if (letter == '-' || letter == ' ') letter = '_';
   }
   return word;
+}
+
+/// The one word that begins with `word`; nothing where several do, and for beginnings too short to tell.
+std::optional<std::string> only_continuation(const std::string& word, const std::vector<std::string>& known) {
+  constexpr std::size_t kShortest = 3;  // letters
+  if (word.size() < kShortest || word.size() > kLongest) return std::nullopt;
+  const std::string beginning = plain(word);
+  std::optional<std::string> found;
+  for (const std::string& candidate : known) {
+    if (candidate.size() > kLongest || !plain(candidate).starts_with(beginning)) continue;
+    if (found && *found != candidate) return std::nullopt;
+    found = candidate;
+  }
+  return found;
 }
 
 }  // namespace
@@ -34,9 +50,9 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 }
 
 std::optional<std::string> nearest_key(const std::string& word, const std::vector<std::string>& known) {
+  if (auto continuation = only_continuation(word, known)) return continuation;
   std::optional<std::string> nearest;
   std::size_t least = 0;
-  constexpr std::size_t kLongest = 200;  // letters; the distance takes the product of both lengths in time
   for (const std::string& candidate : known) {
     const std::size_t longer = std::max(word.size(), candidate.size());
     if (longer > kLongest) continue;

@@ -1,4 +1,4 @@
-// Finds the known word nearest to a mistyped one.
+// Finds the known word nearest to a mistyped or shortened one.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,9 @@ namespace diefill::process {
 /// after making both lower case and taking '-' and ' ' for '_'.
 std::size_t edit_distance(const std::string& a, const std::string& b);
 
-/// The known word nearest to `word`, the first of equally near ones; nothing when none is near enough
-/// (more than two changes, or more than a third of the longer word).
+/// The one known word that `word` (three letters or more) is the beginning of; else the known word nearest to
+/// it, the first of equally near ones; nothing when none is near enough (more than two changes, or more than
+/// a third of the longer word).
 std::optional<std::string> nearest_key(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace diefill::process

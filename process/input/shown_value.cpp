@@ -46,6 +46,20 @@ std::string escaped_byte(unsigned char byte) {
   return text.data();
 }
 
+bool is_inside_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
+/// Beginning and end of a word, cut between characters.
+std::string shortened(std::string_view word, std::size_t longest) {
+  constexpr std::string_view kLeftOut = "...";
+  const std::size_t kept = longest - std::min(longest, kLeftOut.size());
+  std::size_t first = kept - kept / 2, last = word.size() - kept / 2;
+  while (first > 0 && is_inside_character(word[first])) --first;
+  while (last < word.size() && is_inside_character(word[last])) ++last;
+  return std::string(word.substr(0, first)) + std::string(kLeftOut) + std::string(word.substr(last));
+}
+
 /// A point or axis as it was written; longer lists and lists of tables by their length.
 std::string shown_list(const toml::array& list) {
   const bool plain =
@@ -83,6 +97,20 @@ std::string one_line(std::string_view text, std::size_t longest) {
     text.remove_prefix(length);
   }
   return line;
+}
+
+std::string with_short_words(std::string_view text, std::size_t longest) {
+  constexpr std::string_view kBlanks = " \t\n\r";
+  std::string shown;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.size(), text.find_first_of(kBlanks));
+    const std::string_view word = text.substr(0, end);
+    shown += word.size() > longest ? shortened(word, longest) : std::string(word);
+    const std::size_t next = std::min(text.size(), text.find_first_not_of(kBlanks, end));
+    shown += text.substr(end, next - end);
+    text.remove_prefix(next);
+  }
+  return shown;
 }
 
 std::string shown_value(const toml::node& node) {

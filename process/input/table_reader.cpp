@@ -102,12 +102,13 @@ void TableReader::reject(const std::string& key, const std::string& allowed) con
 
 void TableReader::require(const std::string& key, const std::string& example) {
   if (has(key)) return;
-  std::vector<std::string> present;
+  std::optional<std::string> meant;  // of the keys that are there
   for (const auto& [name, value] : *table_) {
-    const bool asked = std::find(known_.begin(), known_.end(), name.str()) != known_.end();
-    if (!asked) present.emplace_back(name.str());
+    const std::string present(name.str());
+    if (std::find(known_.begin(), known_.end(), present) != known_.end()) continue;
+    if (!nearest_key(present, {key})) continue;
+    if (!meant || edit_distance(present, key) < edit_distance(*meant, key)) meant = present;
   }
-  const auto meant = nearest_key(key, present);
   throw SceneError(where(key) + ": found nothing, a value is required, such as " + example +
                    (meant ? " (found \"" + *meant + "\": did you mean \"" + key + "\"?)" : ""));
 }

@@ -5,9 +5,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 
 #include "engine/laws/bierwisch_law.h"
+#include "engine/powder/sphere_volume.h"
 #include "process/results/storage/result_file.h"
 
 namespace diefill::process::laboratory {
@@ -19,7 +19,7 @@ constexpr double kSphereRadius = 1.5e-4, kClumpRadius = 7.84e-5;  // m
 constexpr double kSphereBox = 0.012, kClumpBox = 0.007;           // m
 
 double mass_of_sphere(double radius) {
-  return kDensity * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+  return engine::sphere_mass(kDensity, radius);
 }
 
 /// Lines of a plain or gzip file.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/simulation/standard_gravity.h"
 #include "engine/walls/free_body.h"
 #include "process/input/table_reader.h"
 #include "process/machine/step.h"
@@ -41,8 +42,8 @@ class FreeTool final : public Step {
   std::string tool_;
   FreeMotion free_;
   std::optional<double> duration_;
-  Eigen::Vector3d gravity_ = {0, 0, -9.81};           ///< m/s^2
-  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();  ///< m, of the tool
+  Eigen::Vector3d gravity_ = {0, 0, -engine::kStandardGravity};  ///< m/s^2
+  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();             ///< m, of the tool
 };
 
 /// Of a step that lets a tool move by the forces on it. Otherwise null.

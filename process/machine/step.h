@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/simulation/standard_gravity.h"
 #include "process/machine/condition.h"
 
 namespace diefill::process {
@@ -29,7 +30,7 @@ struct MachineContext {
                   cavity_upper = Eigen::Vector3d::Zero();  ///< m; empty if equal
   /// m, box of the step's tools, walls included, where earlier steps leave them.
   Eigen::Vector3d tool_lower = Eigen::Vector3d::Zero(), tool_upper = Eigen::Vector3d::Zero();
-  Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
+  Eigen::Vector3d gravity = {0, 0, -engine::kStandardGravity};  ///< m/s^2
 };
 
 /// What any step of the scene may state besides its kind's own keys.

@@ -10,6 +10,7 @@
 #include "process/input/shown_value.h"
 #include "process/input/unit_conversion.h"
 #include "process/measured_data/known_fields.h"
+#include "process/measured_data/profile_names.h"
 #include "process/measured_data/simulated_values.h"
 #include "process/results/none.h"
 #include "process/results/studies/correlation.h"
@@ -120,7 +121,7 @@ void add_zones(results::MeasuredComparison& comparison, const results::FillResul
 void refuse_misspelt_profile(const MeasuredTable& table, const results::FillResult& result) {
   std::vector<std::string> known;
   for (const results::Profile& profile : result.profiles)
-    for (const std::string& name : {profile.quantity, profile.quantity + " over " + profile.x_name}) {
+    for (const std::string& name : names_of(profile)) {
       if (same_name(name, table.value.name)) return;
       known.push_back(name);
     }

@@ -23,7 +23,7 @@ struct FieldOfShape {
 const std::vector<FieldOfShape>& fields_of_one_shape() {
   static const std::vector<FieldOfShape> all = {
       {true, "fill level", true, {"azimuth"}},
-      {true, "fill level", false, {"distance along the shoe's travel"}},
+      {true, "fill level", false, {"distance along the shoe's travel", "x", "y"}},
       {true, "filled fraction", true, {"azimuth"}},
       {true, "mean grain diameter", true, {"height", "azimuth", "travel"}},
       {false, "solid fraction", true, {"azimuth", "height"}},

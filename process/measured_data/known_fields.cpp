@@ -29,9 +29,12 @@ constexpr std::array<Quantity, 4> kQuantities = {{{"fill level", "mm", 0, 1e4},
 constexpr const char* kOver = " over ";
 
 /// Quantity and coordinate of the profiles that process/measure makes.
-constexpr std::array<std::array<const char*, 2>, 7> kProfiles = {
+/// Those over x and y are the one along the travel of the shoe, for measurements in the scene's coordinates.
+constexpr std::array<std::array<const char*, 2>, 9> kProfiles = {
     {{"fill level", "azimuth"},
      {"fill level", "distance along the shoe's travel"},
+     {"fill level", "x"},
+     {"fill level", "y"},
      {"filled fraction", "azimuth"},
      {"solid fraction", "height"},
      {"mean grain diameter", "height"},

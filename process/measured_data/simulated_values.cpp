@@ -1,9 +1,13 @@
 #include "process/measured_data/simulated_values.h"
 
+#include <algorithm>
+
 #include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
 #include "process/input/unit_conversion.h"
 #include "process/measured_data/known_fields.h"
+#include "process/measured_data/profile_names.h"
+#include "process/results/cavity_rows.h"
 #include "process/results/field_value.h"
 
 namespace diefill::process {
@@ -40,7 +44,9 @@ std::vector<const results::Profile*> profiles_called(const results::FillResult& 
   std::vector<const results::Profile*> found;
   for (const results::Profile& profile : result.profiles) {
     known.push_back(profile.quantity + " over " + profile.x_name);
-    if (same_name(known.back(), quantity) || same_name(profile.quantity, quantity)) found.push_back(&profile);
+    const auto names = names_of(profile);
+    const auto same = [&](const std::string& name) { return same_name(name, quantity); };
+    if (std::any_of(names.begin(), names.end(), same)) found.push_back(&profile);
   }
   if (found.empty())
     throw SceneError(where + ": the result has no profile \"" + quantity + "\"; it has " +
@@ -55,8 +61,9 @@ const results::Profile& profile_for(const results::FillResult& result, const std
   const results::Profile* chosen = nullptr;
   for (const results::Profile* profile : profiles_called(result, quantity, where)) {
     over.push_back(profile->x_name + " [" + profile->x_unit + ']');
+    const bool travels = runs_along_travel(*profile) && distance_along_travel(place.name, 0, result.cavity);
     const bool meant = place.name == kUnnamedPlaces ? has_same_dimension(place.unit, profile->x_unit)
-                                                    : same_name(place.name, profile->x_name);
+                                                    : travels || same_name(place.name, profile->x_name);
     if (!meant) continue;
     if (chosen != nullptr)
       throw SceneError(where + ": the result has \"" + quantity + "\" over " + listed(over, "") +
@@ -66,6 +73,21 @@ const results::Profile& profile_for(const results::FillResult& result, const std
   if (chosen != nullptr) return *chosen;
   throw SceneError(place.where + ": found places as \"" + place.name + " [" + place.unit + "]\", but the " +
                    quantity + " of the result runs over " + listed(over, place.name));
+}
+
+/// The cavity that the profile is of.
+const results::CavityState& cavity_of(const results::Profile& profile, const results::FillResult& result) {
+  const int number = results::quantity_and_cavity(profile.quantity).second;
+  return number < 2 ? result.cavity : result.other_cavities.at(static_cast<std::size_t>(number) - 2);
+}
+
+/// The measured place (in the profile's unit) as the profile counts it.
+double place_on(const results::Profile& profile, const MeasuredColumn& place, double at,
+                const results::FillResult& result) {
+  if (!runs_along_travel(profile)) return at;
+  const double metres = unit_factor(profile.x_unit, "m");
+  const auto distance = distance_along_travel(place.name, metres * at, cavity_of(profile, result));
+  return distance ? *distance / metres : at;
 }
 
 /// The measured coordinate of that name.
@@ -94,7 +116,8 @@ std::vector<double> profile_values(const results::FillResult& result, const std:
   const double along = factor_or_throw(place.unit, profile.x_unit, place.where),
                factor = factor_or_throw(profile.unit, data.value.unit, data.value.where);
   std::vector<double> values;
-  for (const double x : place.values) values.push_back(factor * results::value_at(profile, along * x));
+  for (const double x : place.values)
+    values.push_back(factor * results::value_at(profile, place_on(profile, place, along * x, result)));
   return values;
 }
 

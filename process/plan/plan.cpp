@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "engine/numerics/seconds_since.h"
 #include "process/plan/pilot_cache.h"
 #include "process/plan/settle.h"
 #include "process/powder/material.h"
@@ -55,10 +56,6 @@ Choice choice_with(const std::string& name, const SettingNumbers& numbers, const
   return choice;
 }
 
-double seconds_since(std::chrono::steady_clock::time_point then) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
-}
-
 }  // namespace
 
 Plan make_plan(const Scene& scene, const PlanOptions& options) {
@@ -73,7 +70,7 @@ Plan make_plan(const Scene& scene, const PlanOptions& options) {
                                                  options.on_progress)
                                  : build_tooling(plan.scene, sphere, grain, options.on_progress);
   plan.scene = with_prepared_steps(std::move(plan.scene), plan.tooling);
-  plan.tooling_seconds = seconds_since(began);
+  plan.tooling_seconds = engine::seconds_since(began);
   plan.needs = needs_of(plan.scene, plan.tooling);
   plan.statements = description(plan.needs, plan.scene, plan.tooling);
   if (const std::string why = why_no_settings(plan.scene); !why.empty())

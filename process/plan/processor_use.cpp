@@ -5,6 +5,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "engine/numerics/seconds_since.h"
+
 namespace diefill::process::plan {
 
 double ProcessorUse::share_since(const ProcessorUse& before) const {
@@ -30,7 +32,7 @@ ProcessorUse processor_use() {
 }
 
 double FreeClock::seconds() const {
-  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  const double wall = engine::seconds_since(began_);
   return wall * processor_use().share_since(use_);
 }
 

@@ -16,6 +16,11 @@ int exponent_of(double value) {
 
 }  // namespace
 
+bool is_rounding(double difference, double size) {
+  constexpr double kOfSums = 1e-12;
+  return std::abs(difference) <= kOfSums * std::abs(size);
+}
+
 int decimals_of_scatter(double scatter) {
   constexpr double kTwoDigitsBelow = 2.95;  // 2.96 would be printed as 3.0
   const int exponent = exponent_of(scatter);

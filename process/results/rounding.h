@@ -5,6 +5,9 @@
 
 namespace diefill::results {
 
+/// Whether a difference of sums of such a size is nothing but their rounding.
+bool is_rounding(double difference, double size);
+
 /// Decimals that a scatter leaves: up to its first digit, or its second where the first is 1 or 2. Negative:
 /// tens, hundreds. `scatter` is positive.
 int decimals_of_scatter(double scatter);

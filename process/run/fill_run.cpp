@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "engine/limits/pinched_grains.h"
+#include "engine/numerics/seconds_since.h"
 #include "engine/observe/powder_figures.h"
 #include "process/input/units.h"
 #include "process/powder/material.h"
@@ -31,10 +32,6 @@ using Clock = std::chrono::steady_clock;
 
 /// Grains that may be sheared off however few there are.
 constexpr double kFewSheared = 3;
-
-double seconds_since(Clock::time_point then) {
-  return std::chrono::duration<double>(Clock::now() - then).count();
-}
 
 }  // namespace
 
@@ -133,7 +130,8 @@ void FillRun::do_periodic_tasks() {
   if (step % kScheduleInterval == 0) show_progress();
   if (!at_sync_step()) return;
   if (options_.stop != nullptr && options_.stop->load()) stop_with_checkpoint();
-  if (stage_over || seconds_since(last_checkpoint_) > scene_.numerics.checkpoint_interval) write_checkpoint();
+  if (stage_over || engine::seconds_since(last_checkpoint_) > scene_.numerics.checkpoint_interval)
+    write_checkpoint();
   if (stage_over && !schedule_.finished()) save_shared_start();
 }
 
@@ -259,7 +257,7 @@ double FillRun::share_done() const {
 }
 
 double FillRun::wall_seconds() const {
-  return earlier_wall_seconds_ + seconds_since(started_);
+  return earlier_wall_seconds_ + engine::seconds_since(started_);
 }
 
 std::vector<std::string> FillRun::warnings() const {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/simulation/standard_gravity.h"
 #include "process/input/scene_error.h"
 #include "process/machine/step.h"
 #include "process/machine/tool_spec.h"
@@ -128,6 +129,7 @@ struct HeapSpec {
 struct MeasureSpec {
   std::optional<double> fill_plane;  ///< m, height that the cavity lies below; none: the top of the die
   double averaging_width = 0;        ///< m, sigma of Eq. 2.27; 0: the larger of 0.5 mm and d/2
+  std::string width_place;  ///< where that stands, "file:line:column: measure.averaging_width"; may be empty
   int azimuth_bins = 36;
   double snapshot_interval = 0;       ///< s of simulated time between instants kept in the results; 0: none
   std::vector<SectionSpec> sections;  ///< empty: the plane through the cavity's axis along the shoe's motion
@@ -155,8 +157,8 @@ struct Scene {
   NumericsSpec numerics;
   MeasureSpec measure;
   EconomySpec economy;
-  std::optional<SuctionSpec> suction;       ///< none: air does not flow
-  Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
+  std::optional<SuctionSpec> suction;                           ///< none: air does not flow
+  Eigen::Vector3d gravity = {0, 0, -engine::kStandardGravity};  ///< m/s^2
 };
 
 /// m, the smallest and the largest grain size wanted of all powders.

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
+#include "engine/powder/sphere_volume.h"
 #include "process/machine/actions/powder_change.h"
 #include "process/machine/actions/powder_inflow.h"
 #include "process/powder/material.h"
@@ -109,7 +109,7 @@ double gravity_during(const Scene& scene, const std::vector<StepState>& states, 
 double largest_rate(const Scene& scene, const PowderInflow& inflow, double share, double g) {
   const double across = 2 * mean_grain(scene).bounding_radius();
   const Eigen::Vector3d size = (inflow.upper - inflow.lower).cwiseMax(across);
-  const double grain = std::numbers::pi / 6 * across * across * across;
+  const double grain = engine::sphere_volume_of_diameter(across);
   const double held = std::max(1.0, kRandomPacking * share * size.prod() / grain) * mean_grain(scene).mass;
   const double height = size.z(), speed = std::abs(inflow.velocity.z());
   const double time = 2 * height / (std::sqrt(speed * speed + 2 * g * height) + speed);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "process/setup/averaging_width_limit.h"
 #include "process/setup/predicted_work.h"
 #include "process/tooling/co_moving_powder.h"
 #include "process/tooling/cover_progress.h"
@@ -176,6 +177,7 @@ Tooling read_tooling(const Scene& scene, const ProgressCallback& on_progress) {
     tooling.cavity = cavities.front();
     tooling.other_cavities.assign(cavities.begin() + 1, cavities.end());
   }
+  refuse_wide_averaging(scene, tooling);
   followed = prepare_passages(followed, tooling, poses);
   tooling.steps = followed.steps;
   refuse_excessive_schedule(followed, tooling);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "process/results/figure_table.h"
+#include "process/results/rounding.h"
 #include "render/fields/field_places.h"
 #include "render/report/figure_text.h"
 #include "render/report/pictures_of.h"
@@ -203,10 +204,9 @@ std::string lines_missing(const std::vector<std::string>& from, std::vector<std:
 }
 
 std::string change(const Scatter& value, const Scatter& reference) {
-  constexpr double kRounding = 1e-12;  // of sums, over their value
   if (!std::isfinite(value.mean) || !std::isfinite(reference.mean)) return "–";
   const double difference = value.mean - reference.mean;
-  if (std::abs(difference) <= kRounding * std::abs(reference.mean)) return "0";
+  if (results::is_rounding(difference, reference.mean)) return "0";
   std::string text = (difference >= 0 ? "+" : "−") + in_digits(std::abs(difference), 3);
   if (reference.mean != 0)
     text += std::string(" (") + (difference >= 0 ? "+" : "−") +

@@ -257,6 +257,8 @@ inline std::vector<WrongScene> wrong_measures() {
   return {
       spoil("averaging_width_zero", plane, "averaging_width = @\"0 mm\"\n",
             {"measure.averaging_width", "found \"0 mm\"", "more than 0 mm"}),
+      spoil("averaging_width_below_a_tenth_of_a_grain", plane, "averaging_width = @\"1 um\"\n",
+            {"measure.averaging_width", "found \"1 um\"", "at least", "a tenth of a grain"}),
       spoil("azimuth_bins_too_few", plane, "azimuth_bins = @1\n",
             {"measure.azimuth_bins", "found 1", "a whole number from 4 to 360"}),
       spoil("section_normal_zero", plane, plane + "[[measure.section]]\nname = \"a\"\nnormal = @[0, 0, 0]\n",

@@ -12,6 +12,7 @@
 #include "app/commands/bench/loop_figures.h"
 #include "app/commands/shared_options/scene_choice.h"
 #include "app/freed_memory.h"
+#include "engine/numerics/seconds_since.h"
 #include "engine/observe/powder_figures.h"
 #include "process/input/scene_error.h"
 #include "process/results/storage/result_file.h"
@@ -62,7 +63,7 @@ class TimedSteps : public process::StepEngine {
   /// What the run did after the last of the steps counts.
   void end(const engine::Simulation& simulation) {
     if (done_) return;
-    const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
+    const double seconds = engine::seconds_since(began_);
     figures_["sphere_steps_per_second"] = spheres_ / seconds;
     figures_["spheres"] = spheres_ / wanted_.steps;
     figures_["steps"] = wanted_.steps;

@@ -6,7 +6,7 @@
 
 #include "app/options/quantities.h"
 #include "process/input/scene_error.h"
-#include "process/measure/fields/measured_fields.h"
+#include "process/measure/fields/averaging_width.h"
 
 namespace diefill::app {
 namespace {
@@ -47,18 +47,16 @@ double largest_edge(const results::FillResult& result) {
 }
 
 double averaging_width_of(const std::string& given, const std::vector<const results::FillResult*>& results) {
-  constexpr double kMin = 0.1;  // of a grain: below, nearly every point lies between grains
-  double usual = 0, finest = std::numeric_limits<double>::max(), largest = 0;
+  double usual = 0, least = std::numeric_limits<double>::max(), most = 0;
   for (const auto* result : results) {
     const double diameter = result->powder.grain_diameter;
-    usual = std::max(usual, process::default_averaging_width(diameter));
-    finest = std::min(finest, diameter);
-    largest = std::max(largest, largest_edge(*result));
+    usual = std::max(usual, process::usual_averaging_width(*result));
+    least = std::min(least, process::least_averaging_width(diameter));
+    most = std::max(most, process::largest_averaging_width(diameter, largest_edge(*result)));
   }
-  if (given.empty()) return usual;
+  if (given.empty()) return std::min(usual, most);
   return bounded_quantity("--averaging-width", given, process::Dimension::length,
-                          {kMin * finest, std::max(usual, largest), false,
-                           "from a tenth of a grain to the largest edge of the cavity"});
+                          {least, most, false, "from a tenth of a grain to the largest edge of the cavity"});
 }
 
 Eigen::Vector3d section_origin(const std::vector<std::string>& given, const results::FillResult& result) {

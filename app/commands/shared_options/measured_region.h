@@ -10,9 +10,9 @@
 
 namespace diefill::app {
 
-/// m, Gaussian width: `given` of --averaging-width, or where it is empty the usual one of the coarsest
-/// powder. Throws process::SceneError for less than a tenth of the finest grains and more than the largest
-/// cavity.
+/// m, Gaussian width: `given` of --averaging-width, or where it is empty the widest that the results were
+/// measured with. Throws process::SceneError for less than a tenth of the finest grains and more than the
+/// largest cavity.
 double averaging_width_of(const std::string& given, const std::vector<const results::FillResult*>& results);
 
 /// m, --origin of a section through `result`: `given` has three coordinates, or none for the cavity's axis.

@@ -10,7 +10,9 @@
 #include <stop_token>
 #include <thread>
 
+#include "app/commands/ranks/step_engine.h"
 #include "app/options/choices.h"
+#include "app/stop_signals.h"
 #include "process/input/scene_error.h"
 #include "process/plan/setting.h"
 #include "process/plan/variant_setting.h"
@@ -40,6 +42,17 @@ std::optional<std::string> fine_walls(const process::Scene& scene) {
       std::pow(grain / (kUsualWalls * wall), 2));
   return text;
 }
+
+/// Work that has written nothing: a signal ends it. On ranks their parent says so.
+class SetUp {
+ public:
+  SetUp() {
+    if (step_engine() == nullptr) stop_.emplace();
+  }
+
+ private:
+  std::optional<StopDuringSetUp> stop_;
+};
 
 /// Repeats the line of progress during long operations, not only when the next one begins.
 class Ticker {
@@ -119,6 +132,7 @@ std::vector<std::filesystem::path> input_files_of(const process::Scene& scene) {
 
 process::Scene chosen_scene(const std::string& file, const std::string& setting,
                             const std::vector<std::string>& changes) {
+  const SetUp set_up;
   std::optional<process::Setting> wanted;
   if (!setting.empty()) wanted = process::setting_named(setting);
   auto scene = process::plan::settled_scene(changed_scene(file, changes), wanted);
@@ -128,6 +142,7 @@ process::Scene chosen_scene(const std::string& file, const std::string& setting,
 }
 
 std::vector<process::Variant> chosen_variants(const std::string& file, const std::string& setting) {
+  const SetUp set_up;
   auto variants = process::read_variants(file);
   if (setting.empty()) {
     for (const auto& variant : variants)
@@ -167,6 +182,7 @@ process::Scene chosen_variant(const std::string& file, const std::string& name, 
 }
 
 process::Tooling prepared_tooling(const process::Scene& scene, bool show_progress) {
+  const SetUp set_up;
   process::Progress progress(show_progress);
   if (const auto remark = fine_walls(scene)) progress.note(*remark);
   Ticker ticker(progress, show_progress);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/simulation/standard_gravity.h"
 #include "process/laboratory/endless_ground.h"
 #include "process/laboratory/flow/field_mean.h"
 #include "process/measure/measure.h"
@@ -138,10 +139,10 @@ class Flow {
   }
 
   HopperFields run(const std::function<void(double)>& on_progress) {
-    const double burn = kBurn * std::sqrt(9.81 / setup_.gravity);
+    const double burn = kBurn * std::sqrt(engine::kStandardGravity / setup_.gravity);
     double began = kNone, out_before = kNone;
     while (level() > setup_.to && seconds() < 40 * burn) {
-      advance(kInterval * std::sqrt(9.81 / setup_.gravity));
+      advance(kInterval * std::sqrt(engine::kStandardGravity / setup_.gravity));
       fields_.time.push_back(seconds());
       fields_.discharged.push_back(discharged());
       on_progress(std::min(0.99, (level_ - level()) / (level_ - setup_.to)));

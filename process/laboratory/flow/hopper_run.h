@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/simulation/standard_gravity.h"
 #include "process/continuum/kinematic_model.h"
 #include "process/results/fill_result.h"
 #include "process/scene/scene.h"
@@ -16,15 +17,15 @@ namespace diefill::process::laboratory {
 /// One set-up. SI units.
 struct HopperSetup {
   std::string name;
-  PowderSpec powder;                 ///< at its wanted grain size
-  double slit = 15e-3;               ///< m, between the floor's spheres
-  double equivalent_slit = 15e-3;    ///< m, D: the source's slit, as wide for its grains as `slit` for these
-  double width = 45e-3;              ///< m, l, between the side walls
-  double depth = 8.64e-3;            ///< m, b, the period along y
-  double gravity = 9.81;             ///< m/s^2
-  double fill = 75e-3;               ///< m, level before the slit opens
-  double from = 65e-3, to = 50e-3;   ///< m, levels between which fields are taken
-  double averaging_width = 0.94e-3;  ///< m, sigma of Eq. 2.27
+  PowderSpec powder;               ///< at its wanted grain size
+  double slit = 15e-3;             ///< m, between the floor's spheres
+  double equivalent_slit = 15e-3;  ///< m, D: the source's slit, as wide for its grains as `slit` for these
+  double width = 45e-3;            ///< m, l, between the side walls
+  double depth = 8.64e-3;          ///< m, b, the period along y
+  double gravity = engine::kStandardGravity;  ///< m/s^2
+  double fill = 75e-3;                        ///< m, level before the slit opens
+  double from = 65e-3, to = 50e-3;            ///< m, levels between which fields are taken
+  double averaging_width = 0.94e-3;           ///< m, sigma of Eq. 2.27
   std::uint64_t seed = 1;
   int threads = 1;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/simulation/standard_gravity.h"
 #include "geometry/voronoi/neighbour_grid.h"
 #include "process/measure/period.h"
 #include "process/results/none.h"
@@ -11,7 +12,7 @@
 namespace diefill::process::laboratory {
 namespace {
 
-constexpr double kGravity = 9.81;  // m/s^2
+constexpr double kGravity = engine::kStandardGravity;  // m/s^2
 
 /// Volume (m^3) of a sphere below a height over its centre: a cap, pi h^2 (R - h / 3).
 double cap_below(double radius, double height) {

@@ -8,6 +8,7 @@
 #include "engine/laws/contact_law.h"
 #include "engine/powder/clump_union.h"
 #include "engine/powder/rigid_motion.h"
+#include "engine/powder/sphere_volume.h"
 #include "process/continuum/kinematic_model.h"
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/experiments.h"
@@ -83,7 +84,7 @@ double duration_of_collision() {
 double union_of_model_c() {
   std::vector<engine::ClumpSphere> spheres;
   for (const auto& offset : engine::model_c(1, 1).sphere_offsets) spheres.push_back({offset, 1.0});
-  return engine::grain_of_union(spheres, 1).solid_volume / (4.0 / 3.0 * std::numbers::pi);
+  return engine::grain_of_union(spheres, 1).solid_volume / engine::sphere_volume(1);
 }
 
 /// I / (m R^2).

@@ -24,7 +24,8 @@ double number_as(const std::string& field, const std::string& where, const char*
 
 void for_each_row(
     const std::filesystem::path& file, std::size_t columns, MissingFile missing,
-    const std::function<void(const std::vector<std::string>& fields, const std::string& where)>& use) {
+    const std::function<void(const std::vector<std::string>& fields, const std::string& where)>& use,
+    std::size_t optional) {
   std::ifstream stream(file);
   if (!stream && missing == MissingFile::error)
     throw SceneError(file.string() +
@@ -34,7 +35,7 @@ void for_each_row(
   for (int number = 2; std::getline(stream, line); ++number) {
     const std::string where = file.string() + ':' + std::to_string(number);
     const auto fields = csv_fields(line);
-    if (fields.size() != columns)
+    if (fields.size() > columns || fields.size() + optional < columns)
       throw SceneError(where + ": found " + std::to_string(fields.size()) + " fields, expected " +
                        std::to_string(columns));
     use(fields, where);

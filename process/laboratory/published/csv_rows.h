@@ -15,10 +15,11 @@ enum class MissingFile {
 };
 
 /// Calls `use` with the fields of each row below the heading; `where` is "file:line", for messages. Throws
-/// SceneError for a row with another number of fields.
+/// SceneError for a row with another number of fields; the last `optional` ones may be missing.
 void for_each_row(
     const std::filesystem::path& file, std::size_t columns, MissingFile missing,
-    const std::function<void(const std::vector<std::string>& fields, const std::string& where)>& use);
+    const std::function<void(const std::vector<std::string>& fields, const std::string& where)>& use,
+    std::size_t optional = 0);
 
 /// The number that `field` is. Throws SceneError for anything else.
 double number_in(const std::string& field, const std::string& where);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/numerics/out_of_range.h"
+#include "engine/numerics/seconds_since.h"
 #include "engine/numerics/thread_pool.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/hashed_file.h"
@@ -33,10 +34,6 @@ double thread_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double seconds_since(Clock::time_point then) {
-  return std::chrono::duration<double>(Clock::now() - then).count();
 }
 
 /// What a stopped run keeps.
@@ -151,7 +148,7 @@ class CustomRunQueue {
     void report(double share, const std::function<std::string()>& state) override {
       all_.report(one_, share, core_seconds());
       const bool goes_on = all_.may_go_on();
-      if (goes_on && seconds_since(kept_) < kCustomRunCheckpoint) return;
+      if (goes_on && engine::seconds_since(kept_) < kCustomRunCheckpoint) return;
       kept_ = Clock::now();
       write_checkpoint(folder_ / kCheckpoint,
                        {one_.run->settings, state(), one_.seed, core_seconds(), share});

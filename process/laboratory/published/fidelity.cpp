@@ -65,8 +65,8 @@ std::string note_of(const PublishedFigure& figure, const Measured& measured) {
   const bool calculated =
       row.values.size() == 1 && row.core_seconds == 0 && !std::isfinite(row.grain_diameter);
   if (calculated) return "calculated, without a bed";
-  std::string note = measured.table->size + ", " + std::to_string(row.values.size()) + " seed" +
-                     (row.values.size() > 1 ? "s" : "");
+  const std::size_t seeds = results::seeds_of(row);
+  std::string note = measured.table->size + ", " + std::to_string(seeds) + (seeds > 1 ? " seeds" : " seed");
   if (!row.quantity.empty() && row.quantity != figure.quantity) note += "; " + row.quantity;
   return note + (row.reason.empty() ? "" : "; " + row.reason);
 }

@@ -12,7 +12,7 @@
 namespace diefill::process::laboratory {
 namespace {
 
-constexpr std::size_t kColumns = 6;
+constexpr std::size_t kColumns = 7, kOptional = 1;  // the seeds, where each has a value
 const std::array<std::string, 3> kSizes = {"coarse", "medium", "published"};
 
 KeptResult result_of(const std::vector<std::string>& fields, const PublishedFigure& figure,
@@ -26,6 +26,7 @@ KeptResult result_of(const std::vector<std::string>& fields, const PublishedFigu
   if (!fields[3].empty()) kept.row.grain_diameter = 1e-3 * number_in(fields[3], where);
   kept.row.core_seconds = number_in(fields[4], where);
   kept.row.reason = fields[5];
+  if (fields.size() == kColumns) kept.row.seeds = static_cast<std::size_t>(number_in(fields[6], where));
   kept.row.verdict = verdict_of(kept.row);
   return kept;
 }
@@ -49,11 +50,6 @@ std::string quantity_in(const std::vector<results::LabTable>& measured, const Ke
   return kept.row.quantity;
 }
 
-bool replaces(const results::LabRow& row, const std::string& size, const KeptResult& earlier) {
-  if (row.values.empty()) return earlier.row.values.empty();
-  return earlier.row.values.empty() || fineness_of(size) >= fineness_of(earlier.size);
-}
-
 }  // namespace
 
 std::size_t fineness_of(const std::string& size, const std::string& where) {
@@ -63,14 +59,22 @@ std::size_t fineness_of(const std::string& size, const std::string& where) {
   return static_cast<std::size_t>(found - kSizes.begin());
 }
 
+bool replaces(const results::LabRow& row, const std::string& size, const results::LabRow& earlier,
+              const std::string& earlier_size) {
+  if (row.values.empty() || earlier.values.empty()) return earlier.values.empty();
+  if (size == earlier_size) return results::seeds_of(row) >= results::seeds_of(earlier);
+  return fineness_of(size) > fineness_of(earlier_size);
+}
+
 std::vector<KeptResult> read_kept_results(const std::filesystem::path& file,
                                           const std::vector<PublishedFigure>& figures) {
   std::vector<KeptResult> kept;
-  for_each_row(file, kColumns, MissingFile::no_rows, [&](const auto& fields, const auto& where) {
+  const auto take = [&](const std::vector<std::string>& fields, const std::string& where) {
     const auto figure = std::find_if(figures.begin(), figures.end(),
                                      [&](const PublishedFigure& one) { return one.id == fields[0]; });
     if (figure != figures.end()) kept.push_back(result_of(fields, *figure, where));
-  });
+  };
+  for_each_row(file, kColumns, MissingFile::no_rows, take, kOptional);
   return kept;
 }
 
@@ -81,17 +85,18 @@ void take_over(std::vector<KeptResult>& kept, const std::vector<results::LabTabl
       const auto earlier = find_in(kept, row.id);
       if (earlier == kept.end())
         kept.push_back({table.size, row});
-      else if (replaces(row, table.size, *earlier))
+      else if (replaces(row, table.size, earlier->row, earlier->size))
         *earlier = {table.size, row};
     }
 }
 
 std::string csv_of(const std::vector<KeptResult>& kept) {
-  std::string text = "id,size,values,d_mm,core_seconds,reason\n";
+  std::string text = "id,size,values,d_mm,core_seconds,reason,seeds\n";
   for (const auto& [size, row] : kept) {
     text += row.id + ',' + size + ',' + text_of(row.values) + ',' +
             results::csv_number(1e3 * row.grain_diameter, 6) + ',' +
-            results::csv_number(row.core_seconds, 4) + ',' + results::csv_text(row.reason) + '\n';
+            results::csv_number(row.core_seconds, 4) + ',' + results::csv_text(row.reason) + ',' +
+            std::to_string(results::seeds_of(row)) + '\n';
   }
   return text;
 }

@@ -44,7 +44,8 @@ std::string section_of(const SceneExperiment& experiment, const std::vector<Othe
     rows += "| " + row.quantity + " | " + results::here_text(row) + results::unit_behind(row.unit) + " | " +
             (std::isfinite(row.grain_diameter) ? results::formatted("%.3g", 1e3 * row.grain_diameter) : "-") +
             " | " + results::formatted("%.0f", row.core_seconds) + " | " + figure.size + ", " +
-            std::to_string(row.values.size()) + (row.values.size() > 1 ? " seeds |\n" : " seed |\n");
+            std::to_string(results::seeds_of(row)) +
+            (results::seeds_of(row) > 1 ? " seeds |\n" : " seed |\n");
   }
   if (rows.empty()) return {};
   return "\n## " + experiment.name + ": " + experiment.question +
@@ -70,7 +71,7 @@ void take_over(std::vector<OtherFigure>& kept, const std::vector<results::LabTab
       });
       if (earlier == kept.end())
         kept.push_back({table.experiment, table.size, row});
-      else if (fineness_of(table.size) >= fineness_of(earlier->size))
+      else if (replaces(row, table.size, earlier->row, earlier->size))
         *earlier = {table.experiment, table.size, row};
     }
   }

@@ -134,10 +134,12 @@ void measure(const LabQuantity& quantity, const FinishedRuns& runs, results::Lab
   }
   std::vector<double> values;
   try {
-    if (!quantity.over_seeds)
+    if (!quantity.over_seeds) {
       for (const SeedResults& seed : seeds) values.push_back(quantity.value(seed));
-    else if (seeds.size() > 1)
+    } else if (seeds.size() > 1) {
       values.push_back(quantity.over_seeds(seeds));
+      row.seeds = seeds.size();
+    }
   } catch (const results::ResultError& error) {
     row.reason = error.what();
   }

@@ -3,9 +3,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "engine/powder/sphere_volume.h"
 #include "engine/simulation/simulation.h"
+#include "engine/simulation/standard_gravity.h"
 
 namespace diefill::process::laboratory {
 
@@ -13,7 +14,7 @@ namespace {
 
 namespace laws = engine::laws;
 
-constexpr double kGravity = 9.81, kStiffness = 1e4, kShearStiffness = 8235;  // m/s^2, N/m
+constexpr double kGravity = engine::kStandardGravity, kStiffness = 1e4, kShearStiffness = 8235;  // m/s^2, N/m
 constexpr double kRestitution = 0.5, kFriction = 0.5;
 
 double large_radius(const GrooveCase& groove) {
@@ -21,7 +22,7 @@ double large_radius(const GrooveCase& groove) {
 }
 
 double fine_mass() {
-  return kFineDensity * 4.0 / 3.0 * std::numbers::pi * kFineRadius * kFineRadius * kFineRadius;
+  return engine::sphere_mass(kFineDensity, kFineRadius);
 }
 
 /// m, of the fine centre from the line through the large ones, just in touch.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/simulation/simulation.h"
+#include "engine/simulation/standard_gravity.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
 
@@ -35,7 +36,7 @@ engine::SimulationSettings resting_sphere(const laws::AnyRolling::Parameters& ro
 /// m, overlap of a sphere that rests on the plane.
 double resting_overlap(const engine::GrainShape& sphere) {
   const double spring = 4.0 / 3.0 * kModulus * std::sqrt(sphere.sphere_radius);
-  return std::pow(sphere.mass * 9.81 / spring, 2.0 / 3.0);
+  return std::pow(sphere.mass * engine::kStandardGravity / spring, 2.0 / 3.0);
 }
 
 /// rad/s, largest spin in the last fifth of `duration` (s) of a sphere that rests on the plane and is set
@@ -80,8 +81,8 @@ void chatter(const ExperimentOptions& options, results::ExperimentResult& result
     for (auto* curve : {&left, &printed}) curve->x.push_back(coefficient);
     const laws::LoadRolling::Parameters rolling{.rolling_friction = coefficient};
     left.y.push_back(std::max(kMin, spin_that_remains(resting_sphere(rolling), kStep, 0.5, 5)));
-    printed.y.push_back(0.5 * coefficient * sphere.sphere_radius * sphere.mass * 9.81 * kStep /
-                        moment_of_inertia(sphere));
+    printed.y.push_back(0.5 * coefficient * sphere.sphere_radius * sphere.mass * engine::kStandardGravity *
+                        kStep / moment_of_inertia(sphere));
   }
   result.limits.push_back({"spin left by a constant torque, mu_r = 1, 5 us", left.y.back(), std::nan(""),
                            "rad/s", "as printed: mu_r R m g dt / 2 I"});

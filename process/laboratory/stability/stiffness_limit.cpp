@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/numerics/out_of_range.h"
+#include "engine/simulation/standard_gravity.h"
 #include "process/laboratory/settled_bed.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
@@ -35,7 +36,7 @@ BedSpec bed_of(double reduced_modulus) {
 /// Pa, under the weight of the bed.
 double pressure_at_the_bottom() {
   const auto sphere = thesis_grain(ThesisGrain::sphere);
-  return sphere.mass / sphere.solid_volume * kFraction * 9.81 * kHeight;
+  return sphere.mass / sphere.solid_volume * kFraction * engine::kStandardGravity * kHeight;
 }
 
 /// Mean h / d of Hertzian contacts that carry the weight: p = phi Z F / (pi d^2) (virial stress), so that h /

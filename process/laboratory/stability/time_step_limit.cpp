@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "engine/limits/time_step.h"
+#include "engine/powder/sphere_volume.h"
 #include "process/laboratory/stability/elastic_gas.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/undamped_bed.h"
@@ -36,7 +36,7 @@ struct GasCase {
 /// Spheres of Hu 2024, section 4.4, times l: 0.5 mm, 1000 kg/m^3, E = 100 MPa, nu = 0.3, 0.3 of the volume.
 GasCase scaled_spheres(double scale) {
   const double radius = 2.5e-4 * scale;
-  const double volume = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+  const double volume = engine::sphere_volume(radius);
   GasCase spheres;
   spheres.name = "spheres, l = " + std::to_string(static_cast<int>(scale));
   spheres.shape = engine::model_a(radius, 1000 * volume);

@@ -6,6 +6,7 @@
 #include "engine/limits/time_step.h"
 #include "engine/limits/validity_monitor.h"
 #include "engine/simulation/simulation.h"
+#include "engine/simulation/standard_gravity.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
 
@@ -199,7 +200,7 @@ bool stays(const Target& target, double friction, double angle) {
   contact.damping = contact.tangential = 1e6 * radius;
   contact.friction = friction;
   settings.contact = bierwisch_contact(contact, contact);
-  settings.gravity = 9.81 * Eigen::Vector3d(std::sin(angle), 0, -std::cos(angle));
+  settings.gravity = engine::kStandardGravity * Eigen::Vector3d(std::sin(angle), 0, -std::cos(angle));
   settings.time_step =
       engine::kDefaultTimeStepFraction *
       engine::critical_time_step(target.shape, engine::laws::bierwisch_law(elastic_contact()), 0.5);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/simulation/simulation.h"
+#include "engine/simulation/standard_gravity.h"
 #include "process/laboratory/walls/level_wall.h"
 #include "process/laboratory/walls/registry.h"
 
@@ -15,7 +16,7 @@ using results::ExperimentSeries;
 
 constexpr double kFriction = 0.15;          // as the walls of scenes have by default
 constexpr double kDampingOverRadius = 1e6;  // Pa s/m (Bierwisch 2009, Table C.4)
-constexpr double kGravity = 9.81;
+constexpr double kGravity = engine::kStandardGravity;
 
 /// Speed lost over g t by a sphere that does not turn and slides from `speed` (m/s) to half of it along
 /// `angle` (rad) to the rows: the coefficient of friction of a smooth wall.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "process/measure/fields/averaging_width.h"
 #include "process/measure/fields/box_map.h"
 #include "process/measure/figures/segregation.h"
 #include "process/measure/measure.h"
@@ -44,11 +45,6 @@ results::SectionPlane section_plane(const std::string& name, const Eigen::Vector
       horizontal ? Eigen::Vector3d(Eigen::Vector3d::UnitY())
                  : Eigen::Vector3d((Eigen::Vector3d::UnitZ() - plane.normal[2] * plane.normal).normalized());
   return plane;
-}
-
-double default_averaging_width(double grain_diameter) {
-  constexpr double kMin = 5e-4;  // m
-  return std::max(kMin, 0.5 * grain_diameter);
 }
 
 void measure_fields(results::FillResult& result, const FieldRequest& request, int azimuth_bins) {

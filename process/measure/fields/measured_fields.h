@@ -20,9 +20,6 @@ struct FieldRequest {
 /// Name of the section that results have where none was requested.
 inline constexpr const char* kDefaultSection = "along the shoe's motion";
 
-/// m: sigma of Eq. 2.27 where none is given, the larger of 0.5 mm (Bierwisch 2009, Figs. 3.6, 4.12) and d/2.
-double default_averaging_width(double grain_diameter);
-
 /// Measures maps, sections and profiles of `result` again from its powder and solid fractions.
 void measure_fields(results::FillResult& result, const FieldRequest& request, int azimuth_bins);
 

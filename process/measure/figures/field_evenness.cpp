@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include "process/measure/fields/averaging_width.h"
 #include "process/measure/fields/gaussian_field.h"
 #include "process/measure/figures/counted_grains.h"
 #include "process/measure/figures/figures.h"
@@ -10,7 +11,7 @@ namespace diefill::process {
 void field_evenness(const results::FillResult& result, Figures& figures) {
   double& deviation = figures["solid_fraction_field_std"] = std::numeric_limits<double>::quiet_NaN();
   const auto grains = counted_grains(result.powder, result.solid_fraction, true);
-  const double width = result.sections.empty() ? 0 : result.sections.front().field.averaging_width;
+  const double width = measured_averaging_width(result);
   if (grains.empty() || !(width > 0)) return;
   const GaussianField field(result.powder, result.solid_fraction, width);
   std::vector<double> values;

@@ -1,5 +1,6 @@
 #include "process/results/studies/lab_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -39,7 +40,8 @@ Json json_of(const LabRow& row) {
           {"verdict", row.verdict},
           {"reason", row.reason},
           {"grain_diameter_m", json_number(row.grain_diameter)},
-          {"core_seconds", json_number(row.core_seconds)}};
+          {"core_seconds", json_number(row.core_seconds)},
+          {"seeds", seeds_of(row)}};
 }
 
 double number_in(const Json& json, const char* key) {
@@ -61,6 +63,7 @@ LabRow row_of(const Json& json) {
   row.reason = json.at("reason").get<std::string>();
   row.grain_diameter = number_in(json, "grain_diameter_m");
   row.core_seconds = number_in(json, "core_seconds");
+  row.seeds = json.value("seeds", row.values.size());
   return row;
 }
 
@@ -73,13 +76,16 @@ std::string csv_of(const LabTable& table) {
     text += csv_text(row.id) + ',' + csv_text(row.quantity) + ',' + csv_text(row.setting) + ',' +
             csv_text(row.unit) + ',' + csv_text(row.published) + ',' + csv_number(row.lower) + ',' +
             csv_number(row.upper) + ',' + csv_number(mean_of(row), 6) + ',' + csv_number(scatter_of(row), 3) +
-            ',' + std::to_string(row.values.size()) + ',' + csv_text(row.verdict) + ',' +
-            csv_text(row.reason) + ',' + csv_number(1e3 * row.grain_diameter, 6) + ',' +
-            csv_number(row.core_seconds, 4) + '\n';
+            ',' + std::to_string(seeds_of(row)) + ',' + csv_text(row.verdict) + ',' + csv_text(row.reason) +
+            ',' + csv_number(1e3 * row.grain_diameter, 6) + ',' + csv_number(row.core_seconds, 4) + '\n';
   return text;
 }
 
 }  // namespace
+
+std::size_t seeds_of(const LabRow& row) {
+  return std::max(row.seeds, row.values.size());
+}
 
 double mean_of(const LabRow& row) {
   return mean_of(row.values);

@@ -21,7 +21,11 @@ struct LabRow {
   std::string reason;                                       ///< why there is no value, or how it was had
   double grain_diameter = std::numeric_limits<double>::quiet_NaN();  ///< m, the coarsest of its runs
   double core_seconds = 0;  ///< s of processor time of its runs, those of other quantities among them
+  std::size_t seeds = 0;    ///< that one value follows from together, such as a scatter; 0: a value of each
 };
+
+/// How many seeds the row rests on.
+std::size_t seeds_of(const LabRow& row);
 
 /// Mean of the row's values, NaN for none; and their standard deviation, NaN for fewer than two.
 double mean_of(const LabRow& row);

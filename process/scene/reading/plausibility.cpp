@@ -7,6 +7,7 @@
 
 #include "engine/powder/grain_shape.h"
 #include "process/input/numbers_apart.h"
+#include "process/measure/fields/averaging_width.h"
 #include "process/scene/powder/grain_models.h"
 
 namespace diefill::process {
@@ -134,6 +135,13 @@ void check_pour(const TableReader& table, const PourSpec& pour, const PowderSpec
                  "allowed: at least " + numbers_apart(least, lattice).first +
                      ", which is 1 + 2 random_offset, so that no grains overlap at the start");
   }
+}
+
+void check_averaging_width(const TableReader& table, double width, const PowderSpec& powder) {
+  const double least = least_averaging_width(powder.grain_diameter);
+  if (width >= least * (1 - kRounding)) return;
+  table.reject("averaging_width", "allowed: at least " + millimetres_apart(least, width).first +
+                                      ", a tenth of a grain: below, nearly every point lies between grains");
 }
 
 }  // namespace diefill::process

@@ -30,4 +30,8 @@ void check_period(const TableReader& table, const std::string& key, double perio
 void check_pour(const TableReader& table, const PourSpec& pour, const PowderSpec& powder,
                 const NumericsSpec& numerics);
 
+/// The Gaussian width of fields (m) must be a tenth of a grain or more. Its upper limit depends on the cavity
+/// (process/setup/averaging_width_limit).
+void check_averaging_width(const TableReader& table, double width, const PowderSpec& powder);
+
 }  // namespace diefill::process

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "process/measure/figures/heap_slope.h"
+#include "process/scene/reading/plausibility.h"
 #include "process/scene/reading/sections.h"
 #include "process/scene/zones.h"
 
@@ -54,11 +55,14 @@ void refuse_same_figure(TableReader& table, const std::vector<HeapSpec>& earlier
 
 }  // namespace
 
-MeasureSpec read_measure(TableReader table) {
+MeasureSpec read_measure(TableReader table, const PowderSpec& powder) {
   MeasureSpec measure;
   measure.fill_plane = table.quantity("fill_plane", kHeight);
-  measure.averaging_width =
-      table.quantity("averaging_width", kAveragingWidth).value_or(measure.averaging_width);
+  if (const auto width = table.quantity("averaging_width", kAveragingWidth)) {
+    check_averaging_width(table, *width, powder);
+    measure.averaging_width = *width;
+    measure.width_place = table.where("averaging_width");
+  }
   measure.azimuth_bins =
       static_cast<int>(table.integer("azimuth_bins", 4, 360).value_or(measure.azimuth_bins));
   measure.snapshot_interval =

@@ -1,5 +1,6 @@
 #include <toml++/toml.h>
 
+#include "engine/simulation/standard_gravity.h"
 #include "process/machine/actions/powder_change.h"
 #include "process/scene/contact/contact_spec.h"
 #include "process/scene/powder/powder_file.h"
@@ -44,7 +45,7 @@ void read_step_contacts(TableReader& document, Scene& scene) {
 /// One number points downwards; three are a vector.
 Eigen::Vector3d read_gravity(TableReader& document) {
   if (document.has_list("gravity")) return *document.point("gravity", kGravityAlongAxis);
-  return {0, 0, -document.quantity("gravity", kGravity).value_or(9.81)};
+  return {0, 0, -document.quantity("gravity", kGravity).value_or(engine::kStandardGravity)};
 }
 
 /// Steps wait until the powder rests, and powder without weight may never do so.
@@ -97,7 +98,7 @@ Scene scene_of(toml::table& parsed, const std::string& text, const std::filesyst
   check_mixture(document, scene);
   scene.probes = read_probes(document, scene.tools);
   scene.snapshots = read_snapshots(document, scene);
-  scene.measure = read_measure(table_or_empty(document, "measure", empty));
+  scene.measure = read_measure(table_or_empty(document, "measure", empty), scene.powder);
   read_economy(table_or_empty(document, "economy", empty), scene);
   if (auto suction = document.table("suction")) scene.suction = read_suction(*suction, scene);
   refuse_free_tools_beside(scene);

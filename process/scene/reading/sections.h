@@ -49,7 +49,7 @@ std::vector<SnapshotSpec> read_snapshots(TableReader& document, const Scene& sce
 void read_economy(TableReader table, Scene& scene);
 /// [suction], of a scene that has everything else.
 SuctionSpec read_suction(TableReader& table, const Scene& scene);
-/// [measure].
-MeasureSpec read_measure(TableReader table);
+/// [measure], of a scene with this powder.
+MeasureSpec read_measure(TableReader table, const PowderSpec& powder);
 
 }  // namespace diefill::process

@@ -178,5 +178,39 @@ TEST(Map, DrawsOtherSectionsAndAveragingFromResultsAlone) {
   }
 }
 
+TEST(Map, RedrawsWithTheWidthOfTheRun) {
+  const SmallDie die;
+  die.exchange("velocity = \"0.1 m/s\"", "velocity = \"0.2 m/s\"");
+  die.exchange("[numerics]", "[measure]\naveraging_width = \"0.8 mm\"\n\n[numerics]");
+  ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
+  const auto again = die.folder() / "again", finer = die.folder() / "finer";
+  ASSERT_EQ(run_program({"map", die.out().string(), "--out", again.string()}).exit_code, 0);
+  ASSERT_EQ(run_program({"map", die.out().string(), "--averaging-width", "0.5 mm", "--out", finer.string()})
+                .exit_code,
+            0);
+  for (const char* picture : {"plan_map.png", "section.png"}) {
+    EXPECT_TRUE(contents(again / picture) == contents(die.out() / picture)) << picture;
+    EXPECT_FALSE(contents(finer / picture) == contents(die.out() / picture)) << picture;
+  }
+}
+
+TEST(Map, TheViewHasTheColoursOfTheRunsOwnPictures) {
+  const SmallDie die;
+  die.exchange("velocity = \"0.1 m/s\"", "velocity = \"0.2 m/s\"");
+  ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
+  ASSERT_EQ(run_program({"map", die.out().string(), "--picture", "view"}).exit_code, 0);
+  EXPECT_TRUE(contents(die.out() / "view.png") == contents(die.out() / "snapshot.png"));
+}
+
+TEST(Check, RefusesAnAveragingWidthBeyondTheCavity) {
+  const SmallDie die;
+  die.exchange("[numerics]", "[measure]\naveraging_width = \"100 mm\"\n\n[numerics]");
+  const Outcome outcome = die.check();
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("measure.averaging_width: found 100 mm, allowed: at most "), std::string::npos)
+      << outcome.err;
+}
+
 }  // namespace
 }  // namespace diefill::app

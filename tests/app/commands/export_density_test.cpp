@@ -103,5 +103,21 @@ TEST(ExportDensity, OfARunConservesItsMassAndNamesElementsOutside) {
   refused({"--density-grid", "0.001 mm"}, "20 million cells");
 }
 
+// One layer of powder: no grain is enclosed by others.
+TEST(ExportDensity, WithoutASolidFractionTheOptionThatIsGivenIsNamed) {
+  const SmallDie die;
+  die.exchange("fill_height = \"5 mm\"", "fill_height = \"1 mm\"");
+  ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 0);
+  const auto refused = [&](const std::string& size, const std::string& expected) {
+    const Outcome outcome = run_program({"export", die.out().string(), "--density-grid", size});
+    EXPECT_EQ(outcome.exit_code, 2) << size;
+    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("--density-for"), std::string::npos) << outcome.err;
+  };
+  refused("1 mm", "--density-grid: the result holds no measured solid fraction");
+  refused("1 kg", "--density-grid: found \"1 kg\"");
+}
+
 }  // namespace
 }  // namespace diefill::app

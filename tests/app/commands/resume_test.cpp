@@ -47,6 +47,22 @@ Outcome interrupted_while_falling(const SmallDie& die) {
   return program.wait();
 }
 
+// Hundreds of thousands of wall spheres take seconds to place.
+TEST(Resume, ASetUpThatIsStoppedSaysThatItHasWrittenNothing) {
+  const SmallDie die;
+  die.exchange("sphere_radius = \"0.25 mm\"", "sphere_radius = \"0.02 mm\"");
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Program program(die.run_arguments({"--quiet"}));
+    pause_for(600);
+    ASSERT_TRUE(program.running());
+    program.send(signal);
+    const Outcome stopped = program.wait();
+    EXPECT_EQ(stopped.exit_code, 130);
+    EXPECT_EQ(stopped.err, "diefill: stopped during set-up: nothing was written\n");
+    EXPECT_FALSE(std::filesystem::exists(die.out()));
+  }
+}
+
 TEST(Resume, EndsAsTheUnbrokenRunAfterStopsAndKills) {
   const SmallDie die, other;
   // No checkpoint yet: it starts from the beginning, and says so.

@@ -50,6 +50,8 @@ TEST_F(WrongOptions, UnknownWordsAreNamedWithTheNearest) {
   refused({"chekc", scene()}, {"found \"chekc\"; did you mean \"check\"?"});
   refused({"lab", "mean_fraction"},
           {"diefill lab: unknown experiment: found \"mean_fraction\"", "did you mean \"mean_fractions\"?"});
+  refused({"lab", "stab"}, {"unknown experiment: found \"stab\"; did you mean \"stability\"?"});
+  refused({"run", scene(), "--thr", "2"}, {"unknown option \"--thr\"; did you mean --threads?"});
   refused({"lab", "walls", "reboud"}, {"unknown experiment: found \"reboud\"; did you mean \"rebound\"?"});
   refused({"--vresion"}, {"diefill: unknown option \"--vresion\"; did you mean --version?"});
   refused({"run", scene(), "--theads", "2"},
@@ -112,6 +114,30 @@ TEST_F(WrongOptions, PicturesOverwriteNoInput) {
   const Outcome made = run_program({"check", scene(), "--picture", "new/FOUND.PNG"}, {die_.folder(), {}});
   EXPECT_EQ(made.exit_code, 0) << made.err;
   EXPECT_EQ(contents(die_.folder() / "new" / "FOUND.PNG").substr(1, 3), "PNG");
+}
+
+// Nothing can be made in /proc, whatever its permissions say.
+TEST_F(WrongOptions, UnwritableFoldersAreNoticedBeforeTheWork) {
+  die_.write("die.stl", "no tool");  // which would be the next to be told
+  const Outcome outcome = run_program({"check", scene(), "--picture", "/proc/findings.png"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("cannot write to /proc: "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("with --picture"), std::string::npos) << outcome.err;
+}
+
+TEST_F(WrongOptions, LongNamesAreShortenedInTheirMiddle) {
+  const std::string name = std::string(2500, 'a') + std::string(2500, 'b');
+  for (const Words& arguments :
+       {Words{"run", name + ".toml"}, Words{"check", scene(), "--picture", name + ".png"}, Words{"map", name},
+        Words{"run", scene(), "--out", name + "/out"}, Words{"map", "out", "--measured", name + ".csv"},
+        Words{name}, Words{"run", scene(), "--" + name}}) {
+    const Outcome outcome = run_program(arguments, {die_.folder(), {}});
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+    EXPECT_LT(outcome.err.size(), 1600U) << outcome.err;
+    EXPECT_NE(outcome.err.find("aaa...bbb"), std::string::npos) << outcome.err;
+  }
 }
 
 TEST_F(WrongOptions, DirectoriesAreNoFiles) {

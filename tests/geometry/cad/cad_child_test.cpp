@@ -2,6 +2,8 @@
 #include "geometry/cad/cad_child.h"
 
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -70,6 +72,31 @@ TEST(CadChild, SurvivesACrash) {
     EXPECT_EQ(error.failure, ChildFailure::kCrashed);
     EXPECT_TRUE(has(error, "importer crashed")) << error.what();
   }
+}
+
+// However the process that reads ends, such as by a kill, its reader ends too.
+TEST(CadChild, EndsWithItsParent) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  const pid_t parent = ::fork();
+  if (parent == 0) {
+    ::close(ends[0]);
+    error_of([&]() -> CadParts {
+      [[maybe_unused]] const ssize_t begun = ::write(ends[1], "r", 1);
+      ::sleep(60);
+      return {};
+    });
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  char byte = 0;
+  ASSERT_EQ(::read(ends[0], &byte, 1), 1);
+  ::kill(parent, SIGKILL);
+  ::waitpid(parent, nullptr, 0);
+  pollfd closed{ends[0], POLLIN, 0};
+  ASSERT_EQ(::poll(&closed, 1, 20000), 1) << "the reader is still there";
+  EXPECT_EQ(::read(ends[0], &byte, 1), 0);
+  ::close(ends[0]);
 }
 
 void expect_too_long(const ChildError& error) {

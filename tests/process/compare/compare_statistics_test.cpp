@@ -74,6 +74,22 @@ TEST(Verdicts, TellDifferencesFromScatter) {
   EXPECT_EQ(azimuth[2].verdict, Verdict::different);
 }
 
+// Times that are sums of others differ by their rounding alone.
+TEST(Verdicts, RoundingIsNoDifference) {
+  using results::Verdict;
+  const double rounded = 0.1 + 0.2;  // 0.3 + 5.6e-17
+  const auto measures = compare_runs(
+      {"first", "single", "second"},
+      {run_of("first", 1, 0.3, 0), run_of("first", 2, rounded, 0), run_of("single", 1, rounded, 1e-14),
+       run_of("second", 1, rounded, 0), run_of("second", 2, rounded, 0)});
+  for (const auto& measure : measures) {
+    EXPECT_EQ(measure.values[0].scatter, 0) << measure.key;
+    EXPECT_EQ(measure.values[1].difference, 0) << measure.key;
+    EXPECT_EQ(measure.values[2].difference, 0) << measure.key;
+    EXPECT_EQ(measure.values[2].verdict, Verdict::none) << measure.key;
+  }
+}
+
 TEST(MeanField, IsAtTheNodesOfTheFirstWhereHalfOfAllHavePowder) {
   results::Field2D low{"solid fraction", "azimuth", "deg", "height", "mm", {0, 180, 360}, {0, 1}, {}, 1e-3};
   low.value = {0.2, 0.3, 0.4, 0.5, std::nan(""), 0.7};

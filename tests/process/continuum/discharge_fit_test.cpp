@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -59,6 +60,24 @@ TEST(DischargeFit, FindsThemBehindTheEmptyAnnulusOfCoarseGrains) {
       std::abs(fit_discharge(DischargeLaw::moving_shoe, as_drawn).number("C_F") / kSimulatedDischarge.steady -
                1),
       0.1);
+}
+
+TEST(DischargeFit, IsTheSameToTheLastBitForAnyOrderOfThePoints) {
+  std::mt19937 random(1);
+  for (const DischargeLaw law : {DischargeLaw::moving_shoe, DischargeLaw::power_law,
+                                 DischargeLaw::beverloo_slit, DischargeLaw::beverloo_round}) {
+    DischargeData data = planted(kSimulatedDischarge);
+    for (std::size_t k = 0; k < data.points.size(); ++k) data.points[k].value *= 1 + 0.01 * std::sin(3.0 * k);
+    const auto first = fit_discharge(law, data);
+    for (int turn = 0; turn < 3; ++turn) {
+      std::shuffle(data.points.begin(), data.points.end(), random);
+      const auto again = fit_discharge(law, data);
+      EXPECT_EQ(again.fit.numbers, first.fit.numbers);
+      EXPECT_EQ(again.fit.covariance, first.fit.covariance);
+      EXPECT_EQ(again.fit.values, first.fit.values);
+      EXPECT_EQ(again.relative_scatter, first.relative_scatter);
+    }
+  }
 }
 
 TEST(DischargeFit, FindsThePowerLaw) {

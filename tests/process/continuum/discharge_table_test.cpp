@@ -49,6 +49,18 @@ TEST_F(DischargeTable, HasUnitsInItsHeading) {
   EXPECT_NEAR(data.density, 3000, 1e-9);
 }
 
+TEST_F(DischargeTable, IsScaledToOneDensityInAnyOrderOfItsLines) {
+  CommonToAll common = kCommon;
+  common.density.reset();
+  const std::string head = "speed m/s,mass g,density g/cm^3\n";
+  const auto one = read_discharge_table(file(head + "0.1,3,3\n0.2,2,2.5\n"), DischargeLaw::power_law, common);
+  const auto other =
+      read_discharge_table(file(head + "0.2,2,2.5\n0.1,3,3\n"), DischargeLaw::power_law, common);
+  EXPECT_EQ(one.density, other.density);
+  EXPECT_NEAR(one.points[0].value, 0.0025, 1e-15);
+  EXPECT_EQ(one.points[0].value, other.points[1].value);
+}
+
 TEST_F(DischargeTable, RefusesColumnsAndOptionsWithoutAnEffect) {
   const auto said = [&](const std::string& text, DischargeLaw law, const CommonToAll& common) -> std::string {
     try {

@@ -77,6 +77,12 @@ TEST_F(CsvTable, HeadingsHaveNamesAndUnits) {
   }
   EXPECT_EQ(csv_heading("fill level [mm]").name, "fill level");
   EXPECT_EQ(csv_heading("mass").unit, "");
+  for (const char* text : {"filled mass kg", "filled mass (kg)", "filled mass [kg]"}) {
+    EXPECT_EQ(csv_heading(text).name, "filled mass") << text;
+    EXPECT_EQ(csv_heading(text).unit, "kg") << text;
+  }
+  EXPECT_EQ(csv_heading("speed m / s").unit, "m / s");
+  EXPECT_EQ(csv_heading("fraction (mean) [1]").name, "fraction (mean)");
 }
 
 TEST_F(CsvTable, FaultsOfNumbersAreNamedWithLineAndColumn) {

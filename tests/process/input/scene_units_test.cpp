@@ -170,6 +170,12 @@ TEST(NearestKey, FindsTheMeantKeyAndLeavesStrangersAlone) {
   EXPECT_EQ(nearest_key("rollingfriction", known), "rolling_friction");
   EXPECT_EQ(nearest_key("colour", known), std::nullopt);
   EXPECT_EQ(nearest_key("x", {"y"}), std::nullopt);
+  // A beginning of one word alone.
+  EXPECT_EQ(nearest_key("numeri", {"powder", "numerics", "measure"}), "numerics");
+  EXPECT_EQ(nearest_key("VIB", {"move", "vibration", "passage"}), "vibration");
+  EXPECT_EQ(nearest_key("frictio", {"friction", "frictionless"}), "friction");  // the nearest of several
+  EXPECT_EQ(nearest_key("averaging", {"averaging_width", "averaging_time_of_the_run"}), std::nullopt);
+  EXPECT_EQ(nearest_key("vi", {"vibration"}), std::nullopt);
   EXPECT_EQ(nearest_key(std::string(1000000, 'x'), {std::string(1000000, 'x') + 'y'}), std::nullopt);
 }
 

@@ -75,6 +75,42 @@ TEST_F(CompareWithMeasured, AProfileGivesDifferenceAndCorrelationInAllAndByQuart
   EXPECT_NEAR(zone(comparison, "azimuth 270 to 360 deg").rms, 0.2, 1e-9);
 }
 
+/// A cavity from x = -10 to 10 mm; the shoe arrives at x = 10 mm, where the level is 12 mm, 10 mm at the end.
+results::FillResult slot() {
+  results::FillResult result;
+  result.cavity.lower_corner = {-0.01, -0.002, -0.02};
+  result.cavity.upper_corner = {0.01, 0.002, 0};
+  result.cavity.azimuth_zero = Eigen::Vector3d::UnitX();
+  result.profiles = {
+      {"fill level", "mm", "distance along the shoe's travel", "mm", {0, 10, 20}, {12, 11, 10}}};
+  return result;
+}
+
+TEST_F(CompareWithMeasured, PositionsAlongTheTravelOfTheShoeAreDistancesOnIt) {
+  const auto comparison = against("x mm,fill level mm\n-10,10\n5,11.5\n10,12\n", slot());
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(comparison.simulated[k], comparison.measured[k], 1e-9) << k;
+  EXPECT_NEAR(against("x [m],fill level over x [mm]\n-0.01,9\n0.01,9\n", slot()).simulated[0], 10, 1e-9);
+  results::FillResult from_the_other_end = slot();
+  from_the_other_end.cavity.azimuth_zero *= -1;
+  EXPECT_NEAR(against("x mm,fill level mm\n-10,9\n10,9\n", from_the_other_end).simulated[0], 12, 1e-9);
+  EXPECT_THROW(against("y mm,fill level mm\n-1,9\n1,9\n", slot()), SceneError);
+}
+
+TEST_F(CompareWithMeasured, TheTableThatAComparisonLeavesIsMeasuredDataAgain) {
+  const std::string head = "azimuth [deg], fill level [mm]";
+  for (const std::string csv :
+       {head + "\n45, 9.45\n135, 10.35\n", head + ", deviation [mm]\n45, 9.45, 0.3\n135, 10.35, 0.4\n"}) {
+    const auto first = against(csv);
+    results::write_measured_comparison(folder_.path(), first);
+    const auto again = compare_with_measured(
+        read_measured_files({(folder_.path() / "measured_level.csv").string()}).front(), ring());
+    EXPECT_EQ(again.quantity, "fill level");
+    EXPECT_EQ(again.measured, first.measured);
+    EXPECT_EQ(again.simulated, first.simulated);
+    EXPECT_EQ(std::isnan(again.deviation[0]), std::isnan(first.deviation[0]));
+  }
+}
+
 TEST_F(CompareWithMeasured, AzimuthsFromMinus180DegreesAreThoseOfTheSameSectors) {
   // The level of the sector at 225 and at 315 degrees, then in the closed map at 270 degrees.
   const auto profile = against("azimuth [deg], fill level [mm]\n-135, 12.25\n-45, 13.15\n45, 10.45\n");

@@ -52,6 +52,17 @@ TEST_F(MeasuredCsv, SemicolonsQuotesAndCarriageReturnsOfSpreadsheetsAreTaken) {
   EXPECT_EQ(table.value.values[1], 3);
 }
 
+// As tables of probes and of fits are written.
+TEST_F(MeasuredCsv, UnitsMayStandBehindABlank) {
+  const MeasuredTable table = read("x mm,fill level mm,standard deviation mm\n1,2,0.5\n2,3,0.5\n");
+  EXPECT_EQ(table.places[0].name, "x");
+  EXPECT_EQ(table.value.name, "fill level");
+  EXPECT_EQ(table.value.unit, "mm");
+  EXPECT_NE(complaint("z m,solid fraction,s [1]\n1,0.3,0.1\n")
+                .find("data.csv:1:5: column \"solid fraction\" has no unit"),
+            std::string::npos);
+}
+
 TEST_F(MeasuredCsv, MapsHaveTwoPlacesInAnyOrder) {
   const MeasuredTable table =
       read("azimuth [deg],height [mm],f [1],s [1]\n10,1,0.3,0.01\n0,1,0.31,0.01\n", 2);

@@ -98,6 +98,9 @@ TEST(SceneText, QuotesAreShortAndShowControlCharactersWrittenOut) {
   EXPECT_EQ(one_line("\u00e9\u4e2d\U0001F600"), "\u00e9\u4e2d\U0001F600");
   EXPECT_EQ(one_line(std::string(100, 'x'), 10), std::string(10, 'x') + "...");
   EXPECT_EQ(one_line("aaaa\u4e2d", 5), "aaaa...");
+  EXPECT_EQ(with_short_words("found no aaaabbbb", 8), "found no aaaabbbb");
+  EXPECT_EQ(with_short_words("no aaaaabbbbb file", 8), "no aaa...bb file");
+  EXPECT_EQ(with_short_words("\u4e2d\u4e2d\u4e2d\u4e2d", 9), "\u4e2d...\u4e2d");
   for (const std::string fault : {"title = \"a\\u0000b\"", "title = \"a\\nb\"", "title = \"\\u001b[31m\""})
     expect_begins(complaint(fault + faultless_scene().substr(faultless_scene().find('\n'))),
                   "scene.toml:1:9: title: found \"");

@@ -4,14 +4,15 @@
 #include <cmath>
 #include <map>
 
+#include "engine/simulation/standard_gravity.h"
 #include "process/measure/figures/heap_slope.h"
 
 namespace diefill::process::laboratory {
 namespace {
 
-constexpr double kBeyond = 0.02, kPeak = 0.2;  // shares of grains, of columns
-constexpr double kLeast = 2;                   // d above the floor, where the slope begins
-constexpr double kGravity = 9.81;              // m/s^2
+constexpr double kBeyond = 0.02, kPeak = 0.2;          // shares of grains, of columns
+constexpr double kLeast = 2;                           // d above the floor, where the slope begins
+constexpr double kGravity = engine::kStandardGravity;  // m/s^2
 
 /// Highest grain centre (m) in each column.
 std::map<long, double> tops_of(const std::vector<Eigen::Vector3d>& grains, double width) {

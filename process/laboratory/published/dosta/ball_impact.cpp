@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/simulation/standard_gravity.h"
 #include "process/laboratory/published/dosta/bulk_curves.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
@@ -13,7 +14,7 @@ namespace diefill::process::laboratory {
 namespace {
 
 constexpr double kStart = 0.06, kFloor = -0.0802431;  // m, ball's centre: at the start, on the floor
-constexpr double kSpeed = 5, kGravity = 9.81;         // m/s, m/s^2
+constexpr double kSpeed = 5, kGravity = engine::kStandardGravity;  // m/s, m/s^2
 
 struct Bed {
   int grains;

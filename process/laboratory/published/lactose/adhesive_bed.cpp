@@ -5,14 +5,16 @@
 #include <numbers>
 #include <numeric>
 
+#include "engine/powder/sphere_volume.h"
+#include "engine/simulation/standard_gravity.h"
 #include "process/laboratory/published/lab_powder.h"
 
 namespace diefill::process::laboratory {
 namespace {
 
-constexpr double kDensity = 1545, kGravity = 9.81;  // kg/m^3, m/s^2
-constexpr double kReferenceOverlap = 0.01;          // over r
-constexpr double kWallRatio = 30;                   // k_1 of walls over that of grains
+constexpr double kDensity = 1545, kGravity = engine::kStandardGravity;  // kg/m^3, m/s^2
+constexpr double kReferenceOverlap = 0.01;                              // over r
+constexpr double kWallRatio = 30;                                       // k_1 of walls over that of grains
 constexpr double kWallFriction = 0.2;
 constexpr double kSmallestGap = 5e-9, kLargestGap = 1e-6;  // m
 constexpr double kLattice = 1.6, kLoose = 0.5;             // d; solid fraction that `fill` is computed with
@@ -69,7 +71,7 @@ std::string step_lines(const AdhesivePowder& powder, const AdhesiveBed& bed) {
 }  // namespace
 
 double AdhesivePowder::mass() const {
-  return kDensity * 4.0 / 3 * std::numbers::pi * radius * radius * radius;
+  return engine::sphere_mass(kDensity, radius);
 }
 
 double AdhesivePowder::loading_stiffness() const {

@@ -18,7 +18,6 @@ constexpr double kStresses[] = {3e3, 2e3, 1.75e3, 1.5e3, 1.25e3, 1e3};  // Pa
 constexpr double kHeld = 2, kRow = 0.02;  // d at the rim: at each stress, between rows of the probe
 /// Of a stress: rows are those at which the disc presses as near to it as this.
 constexpr double kNear = 0.04;
-constexpr double kGap = 0.15;  // d, between the rims of disc and cell (laboratory.scad)
 
 /// A powder on a disc.
 struct DiscTest {
@@ -56,7 +55,7 @@ LabRun disc_friction_run(const DiscTest& one) {
 
 /// Radius of the cell, which stresses are computed with, over that of the disc, at whose rim friction ends.
 double cell_over_disc(const FilledCell& filled) {
-  return filled.radius() / (filled.radius() - kGap * filled.powder.diameter());
+  return filled.radius() / (filled.radius() - ShearCell::kRimGap * filled.powder.diameter());
 }
 
 /// Mean over the rows near each stress while the disc turns, but for its first grain diameter.

@@ -11,6 +11,8 @@
 namespace diefill::process::laboratory {
 
 struct ShearCell {
+  static constexpr double kRimGap = 0.15;  ///< d, between the rims of head or disc and cell, as drawn
+
   int bore = 10;            ///< d, as there are drawings for: 10 or 16
   int grains = 900;         ///< that fill it about as high as it is wide
   double rim_speed = 0.02;  ///< m/s

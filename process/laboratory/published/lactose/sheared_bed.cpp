@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/simulation/standard_gravity.h"
 #include "process/laboratory/published/bed_window.h"
 #include "process/laboratory/published/lab_powder.h"
 
@@ -45,7 +46,7 @@ std::vector<std::string> ShearTest::run_names() const {
 
 LabRun run_of(const ShearTest& test, double stress) {
   const FilledCell& filled = test.filled;
-  const double unit = std::sqrt(filled.powder.diameter() / 9.81);
+  const double unit = std::sqrt(filled.powder.diameter() / engine::kStandardGravity);
   const std::string hold = with_unit(kSettle * unit, "s"), speed = turns_a_minute(filled.turn_speed());
   std::string set = filled_cell_lines(filled, kHead, "shear_head", filled.cell.vane_depth());
   const double d = filled.powder.diameter();

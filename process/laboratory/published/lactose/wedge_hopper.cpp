@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/simulation/standard_gravity.h"
 #include "process/laboratory/published/dosta/bulk_curves.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
@@ -17,7 +18,7 @@
 namespace diefill::process::laboratory {
 namespace {
 
-constexpr double kGravity = 9.81;
+constexpr double kGravity = engine::kStandardGravity;
 constexpr double kDepth = 1.2;                   // over the slot's width, of loose powder in the hopper
 constexpr double kLattice = 1.12, kLoose = 0.5;  // d; solid fraction that `fill_height` is computed with
 constexpr double kSolid = 0.3;                   // of the powder over the gate, about

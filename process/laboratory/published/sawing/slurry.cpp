@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <unordered_map>
 
 #include "engine/powder/rigid_motion.h"
+#include "engine/powder/sphere_volume.h"
 
 namespace diefill::process::laboratory::sawing {
 namespace {
@@ -163,7 +163,7 @@ double particle_mass(double density_over_fluid) {
 GrainShape irregular_grain(double size, std::mt19937_64& random) {
   constexpr int kPlanes = 8;
   const auto wanted =
-      static_cast<std::size_t>(std::max(1L, std::lround(std::numbers::pi / 6 * size * size * size / kCell)));
+      static_cast<std::size_t>(std::max(1L, std::lround(engine::sphere_volume_of_diameter(size) / kCell)));
   std::uniform_real_distribution<double> depth(0.55, 0.95), part(-0.5, 0.5);
   std::vector<std::pair<Eigen::Vector3d, double>> planes;
   for (int k = 0; k < kPlanes; ++k) planes.emplace_back(random_direction(random), depth(random));

@@ -33,10 +33,42 @@ results::LabTable table(const std::string& size, const std::string& id, const st
 TEST(KeptResults, ARunOfOneExperimentLeavesTheRowsOfOthers) {
   std::vector<KeptResult> kept;
   take_over(kept, {table("coarse", "N01", {0.58, 0.6}, 10), table("medium", "N02", {0.59}, 20)});
-  take_over(kept, {table("coarse", "N01", {0.6}, 5)});
+  take_over(kept, {table("coarse", "N01", {0.6, 0.6}, 5)});
   ASSERT_EQ(kept.size(), 2U);
-  EXPECT_EQ(kept[0].row.values, std::vector<double>{0.6});
+  EXPECT_EQ(kept[0].row.values, (std::vector<double>{0.6, 0.6}));
   EXPECT_EQ(kept[1].row.values, std::vector<double>{0.59});
+}
+
+TEST(KeptResults, ARunWithFewerSeedsLeavesWhatRestsOnMore) {
+  std::vector<KeptResult> kept;
+  auto scatter = table("coarse", "N02", {3}, 10);  // one value of three seeds together
+  scatter.rows[0].seeds = 3;
+  take_over(kept, {table("coarse", "N01", {0.58, 0.6, 0.59}, 10), scatter});
+  auto of_two = table("coarse", "N02", {4}, 10);
+  of_two.rows[0].seeds = 2;
+  take_over(kept, {table("coarse", "N01", {0.7}, 10), of_two});
+  EXPECT_EQ(kept.at(0).row.values, (std::vector<double>{0.58, 0.6, 0.59}));
+  EXPECT_EQ(kept.at(1).row.values, std::vector<double>{3});
+  // Finer grains count more than seeds.
+  take_over(kept, {table("medium", "N01", {0.7}, 10)});
+  EXPECT_EQ(kept.at(0).row.values, std::vector<double>{0.7});
+}
+
+TEST(KeptResults, AValueOfSeveralSeedsTogetherNamesTheirNumber) {
+  const support::TemporaryFolder folder;
+  std::vector<KeptResult> kept;
+  auto scatter = table("coarse", "N01", {0.59}, 10);
+  scatter.rows[0].seeds = 3;
+  take_over(kept, {scatter});
+  const auto back = read_kept_results(folder.write("kept_results.csv", csv_of(kept)), kFigures);
+  EXPECT_EQ(back.at(0).row.seeds, 3U);
+  EXPECT_NE(fidelity_page(kFigures, tables_with_kept(back, {}), {}).find("coarse, 3 seeds |"),
+            std::string::npos);
+  // A row without the number has a value of each seed.
+  const auto older = read_kept_results(
+      folder.write("kept_results.csv", "id,size,values,d_mm,core_seconds,reason\nN01,coarse,0.5 0.6,1,1,\n"),
+      kFigures);
+  EXPECT_EQ(results::seeds_of(older.at(0).row), 2U);
 }
 
 TEST(KeptResults, AValueIsLostToNoRunThatHasNoneOrCoarserGrains) {

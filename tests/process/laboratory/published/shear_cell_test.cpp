@@ -51,12 +51,24 @@ TEST(ShearCell, ThePeakIsTheHighestMeanOverItsLength) {
   EXPECT_TRUE(std::isnan(mean_stress(curve, 2, 3).shear));
 }
 
-/// Least height of a drawing, a binary STL file.
-double lowest_of(const std::string& drawing) {
+/// Of a drawing, a binary STL file.
+geometry::Box box_of(const std::string& drawing) {
   const auto path = std::filesystem::path(DIEFILL_SOURCE_DIR) / "sample_tools/laboratory" / drawing;
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  return geometry::read_binary_stl(bytes).parts.front().mesh.bounding_box().lower.z();
+  return geometry::read_binary_stl(bytes).parts.front().mesh.bounding_box();
+}
+
+/// Least height of a drawing.
+double lowest_of(const std::string& drawing) {
+  return box_of(drawing).lower.z();
+}
+
+TEST(ShearCell, TheRimOfTheDiscIsAsFarFromTheCellAsDrawn) {
+  for (const int bore : {10, 16}) {
+    const double rim = box_of("disc_" + std::to_string(bore) + ".stl").upper.x();
+    EXPECT_NEAR(rim, 0.5 * bore - ShearCell::kRimGap, 1e-5) << bore;
+  }
 }
 
 TEST(ShearCell, VanesOfTheSmallerHeadAreScaledWithItsCell) {
