@@ -113,6 +113,44 @@ process::ElementDensity density_of(const results::FillResult& result, const resu
   }
 }
 
+/// Its volume in m^3, and its longest extent in m along each axis.
+struct MeshSize {
+  double volume = 0;
+  Eigen::Vector3d extents = Eigen::Vector3d::Zero();
+};
+
+/// The unit in which a mesh of `metres` a unit would be as large as the powder; empty where there is none.
+std::string unit_that_fits(const MeshSize& mesh, double metres, const MeshSize& powder) {
+  constexpr double kLarger = 1.2, kSmaller = 0.5;  // the mesh over the powder
+  for (const char* name : {"mm", "m", "inch", "cm", "um", "ft"}) {
+    const double factor = mesh_unit(name) / metres,
+                 volume = mesh.volume * std::pow(factor, 3) / powder.volume;
+    const bool within = ((factor * mesh.extents).array() <= kLarger * powder.extents.array()).all();
+    if (within && volume >= kSmaller && volume <= kLarger) return name;
+  }
+  return "";
+}
+
+/// Throws where the mesh has many times the volume of the powder, and just that of it in another unit. A mesh
+/// with tools in it may be large, but is in no unit as large as the powder alone.
+void refuse_wrong_unit(const results::FillResult& result, const results::SolidMesh& mesh, double volume,
+                       const DensityOptions& options) {
+  constexpr double kDoubtful = 5;
+  const double expected = options.mesh_share * result.cavity.volume;
+  if (!(expected > 0 && volume > kDoubtful * expected)) return;
+  Eigen::Vector3d lower = mesh.nodes.front(), upper = lower;
+  for (const auto& node : mesh.nodes) lower = lower.cwiseMin(node), upper = upper.cwiseMax(node);
+  const std::string unit =
+      unit_that_fits({volume, upper - lower}, mesh_unit(options.mesh_unit),
+                     {expected, result.cavity.upper_corner - result.cavity.lower_corner});
+  if (unit.empty()) return;
+  throw process::SceneError(
+      "--mesh-unit: found \"" + options.mesh_unit + "\", in which " + options.mesh +
+      results::formatted(" has %.4g times the volume of the powder it stands for (%.6g mm^3); in ",
+                         volume / expected, 1e9 * expected) +
+      unit + " it is as large: give --mesh-unit " + unit);
+}
+
 /// "17, 18, 23 and 4 more".
 std::string list_text(const std::vector<std::uint64_t>& numbers) {
   constexpr std::size_t kMax = 20;
@@ -162,6 +200,7 @@ void write_mesh_density(const results::FillResult& result, const DensityOptions&
                         double averaging_width, const std::filesystem::path& out, Files& written) {
   const results::SolidMesh mesh = read_mesh(options);
   const auto density = density_of(result, mesh, options, averaging_width, cavity_mass(result, options));
+  refuse_wrong_unit(result, mesh, density.total_volume, options);
   make_output_directory(out);
   print_density(result, mesh, density, options);
   const std::string stem = process::file_stem(options.mesh);

@@ -6,8 +6,10 @@
 #include <set>
 #include <stdexcept>
 
+#include "geometry/cad/amf_document.h"
 #include "geometry/cad/cad_file.h"
 #include "geometry/cad/cad_readers.h"
+#include "geometry/cad/gltf_document.h"
 #include "geometry/cad/read_text_stl.h"
 #include "geometry/cad/shown_text.h"
 #include "geometry/cad/xml_coordinates.h"
@@ -92,7 +94,9 @@ CadParts read_by_kind(const std::filesystem::path& file, const CadFormat& format
     check_3mf_coordinates(file);
     return read_3mf(file);
   }
-  if (format.ending == "amf") check_amf_coordinates(read_cad_file(file));
+  if (format.ending == "amf") check_amf_coordinates(amf_document(file));
+  if (format.ending == "gltf" || format.ending == "glb")
+    refuse_unread_corners(json_of_gltf(read_cad_file(file)));
   if (format.ending == "stl") {
     const std::string bytes = read_cad_file(file);
     if (is_text_stl(bytes)) return read_text_stl(bytes);

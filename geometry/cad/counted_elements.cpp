@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
-#include <map>
 #include <sstream>
 #include <vector>
 
+#include "geometry/cad/ply_header.h"
 #include "geometry/mesh/mesh.h"
 
 namespace diefill::geometry {
@@ -25,97 +24,12 @@ void refuse_end(const std::string& name, const std::string& what, std::uint64_t 
                   std::to_string(count) + "; export or copy it again");
 }
 
-/// Bytes of one value in a PLY file; types that PLY does not have are left to the importer.
-std::size_t bytes_of(const std::string& type) {
-  static const std::map<std::string, std::size_t> sizes = {
-      {"short", 2}, {"ushort", 2}, {"int16", 2},   {"uint16", 2}, {"int", 4},     {"uint", 4},
-      {"int32", 4}, {"uint32", 4}, {"float32", 4}, {"float", 4},  {"float64", 8}, {"double", 8}};
-  const auto known = sizes.find(type);
-  return known == sizes.end() ? 1 : known->second;
-}
-
-/// A property of a PLY element: of a list the bytes of its length, and of each of its values.
-struct PlyProperty {
-  bool is_list = false;
-  std::size_t bytes = 1, bytes_of_length = 0;
-};
-
-struct PlyElement {
-  std::string name;
-  std::uint64_t count = 0;
-  std::vector<PlyProperty> properties;
-};
-
-struct PlyHeader {
-  bool is_text = true, is_big_endian = false;
-  std::vector<PlyElement> elements;
-  std::size_t end = 0;  ///< byte at which the elements begin
-};
-
-PlyProperty ply_property(std::istream& words, const std::string& type) {
-  if (type != "list") return {.bytes = bytes_of(type)};
-  std::string length, value;
-  words >> length >> value;
-  return {.is_list = true, .bytes = bytes_of(value), .bytes_of_length = bytes_of(length)};
-}
-
-/// Throws where the header has no end: importers would search for it forever.
-PlyHeader ply_header(const std::string& name, const std::string& bytes) {
-  PlyHeader header;
-  std::istringstream lines(bytes);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string word, type;
-    words >> word >> type;
-    if (word == "end_header" && line.find_first_not_of(" \t\r", word.size()) == std::string::npos) {
-      header.end = lines.eof() ? bytes.size() : static_cast<std::size_t>(lines.tellg());
-      return header;
-    }
-    if (word == "format")
-      header.is_text = type == "ascii", header.is_big_endian = type == "binary_big_endian";
-    if (word == "element") {
-      header.elements.push_back({.name = type, .properties = {}});
-      if (!(words >> header.elements.back().count))
-        header.elements.back().count = std::numeric_limits<std::uint64_t>::max();
-    }
-    if (word == "property" && !header.elements.empty())
-      header.elements.back().properties.push_back(ply_property(words, type));
-  }
-  throw MeshError(name + " is truncated: its header has no line 'end_header'; export or copy it again");
-}
-
 /// Bytes of an element at the least, with empty lists; in a text a digit and a blank for each value.
 std::size_t least_bytes(const PlyElement& element, bool is_text) {
   std::size_t bytes = 0;
   for (const PlyProperty& property : element.properties)
     bytes += is_text ? 2 : property.is_list ? property.bytes_of_length : property.bytes;
   return std::max<std::size_t>(1, bytes);
-}
-
-/// The whole number of so many bytes at `at`.
-std::uint64_t ply_length(const std::string& bytes, std::size_t at, std::size_t size, bool is_big_endian) {
-  std::uint64_t number = 0;
-  for (std::size_t k = 0; k < size; ++k) {
-    const std::size_t place = is_big_endian ? at + k : at + size - 1 - k;
-    number = (number << 8U) | static_cast<unsigned char>(bytes[place]);
-  }
-  return number;
-}
-
-/// The byte behind the element that begins at `at`; npos where the file ends before.
-std::size_t end_of_element(const PlyHeader& header, const PlyElement& element, const std::string& bytes,
-                           std::size_t at) {
-  for (const PlyProperty& property : element.properties) {
-    std::uint64_t values = 1;
-    if (property.is_list) {
-      if (property.bytes_of_length > bytes.size() - at) return std::string::npos;
-      values = ply_length(bytes, at, property.bytes_of_length, header.is_big_endian);
-      at += property.bytes_of_length;
-    }
-    if (values > (bytes.size() - at) / property.bytes) return std::string::npos;
-    at += static_cast<std::size_t>(values) * property.bytes;
-  }
-  return at;
 }
 
 void check_binary_ply(const std::string& name, const PlyHeader& header, const std::string& bytes) {
@@ -183,11 +97,13 @@ void check_face_of_off(const std::string& name, std::istream& words, std::uint64
 
 void check_ply_elements(const std::string& name, const std::string& bytes) {
   if (!bytes.starts_with("ply")) return;  // the importer says so
-  const PlyHeader header = ply_header(name, bytes);
-  for (const PlyElement& element : header.elements)
-    if (element.count > bytes.size() / least_bytes(element, header.is_text))
+  const auto header = ply_header(bytes);
+  if (!header)  // which importers would search for forever
+    throw MeshError(name + " is truncated: its header has no line 'end_header'; export or copy it again");
+  for (const PlyElement& element : header->elements)
+    if (element.count > bytes.size() / least_bytes(element, header->is_text))
       refuse_count(name, element.count, element.name + " elements", bytes.size());
-  (header.is_text ? check_text_ply : check_binary_ply)(name, header, bytes);
+  (header->is_text ? check_text_ply : check_binary_ply)(name, *header, bytes);
 }
 
 void check_off_elements(const std::string& name, const std::string& bytes) {

@@ -1,10 +1,13 @@
 #include <dlfcn.h>
 
 #include <string>
+#include <string_view>
 
+#include "geometry/cad/cad_file.h"
 #include "geometry/cad/cad_readers.h"
 #include "geometry/cad/mesh_import.h"
 #include "geometry/cad/opencascade/step_and_iges.h"
+#include "geometry/cad/shown_text.h"
 
 namespace diefill::geometry {
 
@@ -28,6 +31,13 @@ Reader load() {
   return reinterpret_cast<Reader>(symbol);
 }
 
+/// OpenCASCADE 7.6 takes STEP for UTF-8, reads no mark of it, and loses names in other encodings.
+std::string step_text(std::string bytes) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  if (bytes.starts_with(kMark)) bytes.erase(0, kMark.size());
+  return as_utf8(bytes);
+}
+
 Reader reader() {
   static const Reader loaded = load();
   return loaded;
@@ -42,7 +52,8 @@ void load_opencascade() {
 CadParts read_curved_faces(const std::filesystem::path& file, const CadFormat& format,
                            double chord_tolerance) {
   CadParts contents;
-  reader()(file, format, chord_tolerance, contents);
+  const bool is_step = format.ending.starts_with("st");
+  reader()(file, is_step ? step_text(read_cad_file(file)) : "", format, chord_tolerance, contents);
   return contents;
 }
 

@@ -3,12 +3,12 @@
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <regex>
 #include <stdexcept>
 
+#include "geometry/cad/amf_document.h"
 #include "geometry/cad/cad_readers.h"
 #include "geometry/cad/restricted_io.h"
 #include "geometry/mesh/equal_vertices.h"
@@ -82,11 +82,8 @@ void turn_z_up(Mesh& mesh) {
 }
 
 /// assimp leaves AMF coordinates as they are and does not pass the unit on.
-double amf_unit(const std::filesystem::path& file) {
-  std::string head(kHeadBytes, '\0');
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
+double amf_unit(const std::string& document) {
+  const std::string head = document.substr(0, kHeadBytes);
   static const std::map<std::string, double> units = {
       {"millimeter", 1e-3}, {"inch", 0.0254}, {"feet", 0.3048}, {"meter", 1}, {"micron", 1e-6}};
   std::smatch found;
@@ -120,7 +117,11 @@ CadParts read_triangles(const std::filesystem::path& file, const CadFormat& form
     for (CadPart& part : contents.parts) turn_z_up(part.mesh);
     contents.metres_per_unit = 1;  // glTF by its standard; Collada's own unit is applied by the importer
   }
-  if (format.ending == "amf") contents.metres_per_unit = amf_unit(file);
+  if (format.ending == "amf") {
+    const std::string document = amf_document(file);
+    contents.metres_per_unit = amf_unit(document);
+    contents.parts = placed_amf_objects(document, std::move(contents.parts));
+  }
   return contents;
 }
 

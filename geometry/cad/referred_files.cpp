@@ -2,31 +2,19 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
 #include "geometry/cad/cad_file.h"
 #include "geometry/cad/cad_parts.h"
+#include "geometry/cad/gltf_document.h"
 #include "geometry/cad/percent_decoding.h"
 
 namespace diefill::geometry {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The JSON of a GLB file: its first chunk, after 12 bytes of header (Khronos, glTF 2.0, 4.4). Empty where
-/// there is none.
-std::string json_of_glb(const std::string& bytes) {
-  constexpr std::size_t kStart = 20;
-  if (bytes.size() < kStart || bytes.compare(0, 4, "glTF") != 0 || bytes.compare(16, 4, "JSON") != 0)
-    return {};
-  std::uint32_t length = 0;
-  std::memcpy(&length, bytes.data() + 12, sizeof length);
-  return bytes.substr(kStart, length);
-}
 
 /// Names in a glTF document; data that stands in the document itself is no file.
 std::vector<std::string> names_in_gltf(const std::string& text) {
@@ -65,8 +53,7 @@ std::vector<std::string> names_in_obj(const std::string& text) {
 }
 
 std::vector<std::string> names_in(const fs::path& file, const std::string& ending) {
-  if (ending == "gltf") return names_in_gltf(read_cad_file(file));
-  if (ending == "glb") return names_in_gltf(json_of_glb(read_cad_file(file)));
+  if (ending == "gltf" || ending == "glb") return names_in_gltf(json_of_gltf(read_cad_file(file)));
   if (ending == "obj") return names_in_obj(read_cad_file(file));
   return {};
 }

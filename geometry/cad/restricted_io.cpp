@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <string_view>
 
+#include "geometry/cad/amf_document.h"
 #include "geometry/cad/cad_file.h"
 #include "geometry/cad/percent_decoding.h"
+#include "geometry/cad/ply_strips.h"
 #include "geometry/cad/shown_text.h"
 
 namespace diefill::geometry {
@@ -87,13 +89,15 @@ bool RestrictedIo::Exists(const char* name) const {
 }
 
 std::string RestrictedIo::bytes_of_main() const {
+  if (ending_ == "amf") return without_constellations(amf_document(file_));
   std::string bytes = read_cad_file(file_);
   constexpr std::string_view kMark = "\xef\xbb\xbf";
   if (bytes.starts_with(kMark)) bytes.erase(0, kMark.size());
   if (ending_ == "obj") bytes = without_trailing_comments(std::move(bytes));
   if (ending_ == "ply") bytes = without_remarks_in_header(std::move(bytes));
   const bool has_numbers = ending_ == "obj" || ending_ == "off" || ending_ == "ply";
-  return has_numbers && is_text(bytes) ? with_exponents_as_e(std::move(bytes)) : bytes;
+  if (has_numbers && is_text(bytes)) bytes = with_exponents_as_e(std::move(bytes));
+  return ending_ == "ply" ? with_faces_for_strips(std::move(bytes)) : bytes;
 }
 
 Assimp::IOStream* RestrictedIo::Open(const char* name, const char* mode) {

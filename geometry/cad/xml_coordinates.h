@@ -7,6 +7,10 @@
 
 namespace diefill::geometry {
 
+/// The number `written` for `name` of `whose`, such as "a corner". Throws std::runtime_error where it is
+/// none.
+double xml_number(std::string_view whose, std::string_view name, std::string_view written);
+
 /// Of every model in the archive `file`. Throws std::runtime_error where a coordinate is no number; what is
 /// no archive is left to the importer.
 void check_3mf_coordinates(const std::filesystem::path& file);

@@ -8,10 +8,6 @@
 namespace diefill::geometry {
 namespace {
 
-// A gap of 0.2 mm across, seen along an axis it is inclined to by 45 degrees. Narrower ones are fits between
-// tools.
-constexpr double kLargestFit = 2e-4 * 1.4142;
-
 // Spaces below this share of the largest cavity are pockets in tools that nobody fills.
 constexpr double kSmallestShare = 0.01;
 

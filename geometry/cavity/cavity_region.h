@@ -9,6 +9,10 @@
 
 namespace diefill::geometry {
 
+/// m, a gap of 0.2 mm across, seen along an axis it is inclined to by 45 degrees. Narrower ones are fits
+/// between tools.
+inline constexpr double kLargestFit = 2e-4 * 1.4142;
+
 /// An enclosed space of a grid whose top is the fill plane.
 struct CavityRegion {
   VoxelGrid grid;

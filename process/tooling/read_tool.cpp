@@ -101,8 +101,9 @@ Tool read_tool(const Scene& scene, const ToolSpec& spec) {
   tool.file_remarks = part.remarks;
   tool.file_hash = hash.get();
   geometry::Mesh mesh = placed(std::move(part.mesh), spec);
-  check_size(mesh, wall_radius(scene, spec), {part.metres_per_unit, part.unit_from_file},
-             tool_text(scene, spec));
+  check_size(mesh,
+             {wall_radius(scene, spec), spec.sphere_radius ? "its sphere_radius" : "walls.sphere_radius"},
+             {part.metres_per_unit, part.unit_from_file}, tool_text(scene, spec));
   examine(std::move(mesh), wall_radius(scene, spec), tool);
   return tool;
 }

@@ -14,7 +14,7 @@ FILES = ["die.stl", ".", "..", "/dev/zero", "/dev/null", "/dev/stdin", "pipe.stl
 EXTREMES = {
     "seed": ["0", "9223372036854775807"], "gravity": ['"1e-300 m/s^2"', '"1000 m/s^2"'],
     "grain_diameter": ['"0.03 mm"', '"0.0471 mm"', '"6 mm"', '"9.4 mm"', '"100 mm"'],
-    "sphere_radius": ['"0.001 mm"', '"10 mm"', '"0.01 mm"'], "spacing": ["0.1001", "4", "2.4", "1.4"],
+    "sphere_radius": ['"0.001 mm"', '"10 mm"', '"0.01 mm"'], "spacing": ["0.2", "4", "2.4", "1.4"],
     "reduced_modulus": ['"1e4 Pa"', '"1e12 Pa"'], "friction": ["0", "10"], "work_of_adhesion": ['"0 J/m^2"', '"10 J/m^2"'],
     "damping_over_radius": ['"0 Pa s/m"', '"1e9 Pa s/m"'], "tangential_over_radius": ['"0 Pa"', '"1e12 Pa"'],
     "fill_height": ['"0.001 mm"', '"1 m"'], "solid_fraction": ["0.05", "0.74"], "rim_speed": ['"0 m/s"', '"1 m/s"'],

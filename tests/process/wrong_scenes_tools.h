@@ -10,12 +10,12 @@ namespace diefill::process {
 
 inline std::vector<WrongScene> wrong_walls() {
   const std::string radius = "sphere_radius = \"0.15 mm\"", spacing = "spacing = 1.6",
-                    range = "allowed: more than 0.1 and at most 4";
+                    range = "allowed: at least 0.2 and at most 4";
   return {
       spoil("wall_radius_negative", radius, "sphere_radius = @\"-0.15 mm\"",
             {"walls.sphere_radius", "found \"-0.15 mm\"", "at least 0.001 mm"}),
-      spoil("wall_spacing_too_small", spacing, "spacing = @0.1",
-            {"walls.spacing", "found 0.1", range, "such as 1.6"}),
+      spoil("wall_spacing_too_small", spacing, "spacing = @0.199",
+            {"walls.spacing", "found 0.199", range, "such as 1.6"}),
       spoil("wall_kind_unknown", spacing, "kind = @\"meshes\"",
             {"walls.kind", "found \"meshes\"", "allowed: \"spheres\" or \"mesh\"", "did you mean \"mesh\"?"}),
       spoil("wall_spacing_too_large", spacing, "spacing = @5", {"walls.spacing", "found 5", range}),

@@ -27,10 +27,9 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 namespace diefill::geometry {
@@ -136,9 +135,7 @@ void sew_loose_faces(std::vector<Solid>& solids, double tolerance, bool all_are_
 }
 
 /// Triangles in place of faces, which AP242 files may hold, are none of what OpenCASCADE 7.6 reads.
-void refuse_tessellation(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+void refuse_tessellation(const std::string& bytes) {
   for (const char* const word : {"TESSELLATED_SOLID", "TESSELLATED_SHELL", "TRIANGULATED_FACE",
                                  "COMPLEX_TRIANGULATED_FACE", "TRIANGULATED_SURFACE_SET"})
     if (bytes.find(word) != std::string::npos)
@@ -201,19 +198,21 @@ double metres_of(const std::string& unit) {
 }
 
 /// Metres per unit; nothing where the file states none: its coordinates then are as if in millimetres.
-std::optional<double> read_step(const std::string& file, Handle(TDocStd_Document) & document) {
+std::optional<double> read_step(const std::string& file, const std::string& bytes,
+                                Handle(TDocStd_Document) & document) {
   STEPCAFControl_Reader reader;
   reader.SetNameMode(Standard_True);
   reader.SetColorMode(Standard_False);
   reader.SetLayerMode(Standard_False);
-  if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
+  std::istringstream stream(bytes);
+  if (reader.ChangeReader().ReadStream(file.c_str(), stream) != IFSelect_RetDone)
     throw std::runtime_error("it is not a STEP file or is truncated");
   TColStd_SequenceOfAsciiString lengths;
   TColStd_SequenceOfAsciiString angles;
   TColStd_SequenceOfAsciiString solid_angles;
   reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
   if (!reader.Transfer(document)) {
-    refuse_tessellation(file);
+    refuse_tessellation(bytes);
     throw std::runtime_error("none of its parts can be translated");
   }
   if (lengths.IsEmpty() || lengths.First().IsEmpty()) return std::nullopt;
@@ -236,7 +235,8 @@ double read_iges(const std::string& file, Handle(TDocStd_Document) & document) {
   return millimetres * kMillimetre;
 }
 
-CadParts read(const std::filesystem::path& file, const CadFormat& format, double chord_tolerance) {
+CadParts read(const std::filesystem::path& file, const std::string& step, const CadFormat& format,
+              double chord_tolerance) {
   Message::DefaultMessenger()->ChangePrinters().Clear();
   Handle(TDocStd_Document) document = new TDocStd_Document("parts");
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
@@ -245,10 +245,10 @@ CadParts read(const std::filesystem::path& file, const CadFormat& format, double
   if (is_iges)
     contents.metres_per_unit = read_iges(file.string(), document);
   else
-    contents.metres_per_unit = read_step(file.string(), document);
+    contents.metres_per_unit = read_step(file.string(), step, document);
   std::vector<Solid> solids = solids_of(document);
   const double chord = chord_tolerance / kMillimetre;
-  if (solids.empty() && !is_iges) refuse_tessellation(file.string());
+  if (solids.empty() && !is_iges) refuse_tessellation(step);
   sew_loose_faces(solids, chord, is_iges);
   const double file_units_per_millimetre = kMillimetre / contents.metres_per_unit.value_or(kMillimetre);
   for (const Solid& solid : solids) {
@@ -262,10 +262,11 @@ CadParts read(const std::filesystem::path& file, const CadFormat& format, double
 
 }  // namespace diefill::geometry
 
-void diefill_read_step_or_iges(const std::filesystem::path& file, const diefill::geometry::CadFormat& format,
-                               double chord_tolerance, diefill::geometry::CadParts& contents) {
+void diefill_read_step_or_iges(const std::filesystem::path& file, const std::string& step,
+                               const diefill::geometry::CadFormat& format, double chord_tolerance,
+                               diefill::geometry::CadParts& contents) {
   try {
-    contents = diefill::geometry::read(file, format, chord_tolerance);
+    contents = diefill::geometry::read(file, step, format, chord_tolerance);
   } catch (const Standard_Failure& failure) {
     const std::string words = failure.GetMessageString();
     throw std::runtime_error(words.empty() ? failure.DynamicType()->Name() : words);

@@ -6,7 +6,8 @@
 
 #include "geometry/cad/cad_parts.h"
 
-/// As read_curved_faces() (cad_readers.h). In `contents`: what the file holds.
-extern "C" void diefill_read_step_or_iges(const std::filesystem::path& file,
+/// As read_curved_faces() (cad_readers.h). `step`: the text of a STEP file in UTF-8, without a mark of it; an
+/// IGES file is read by its name. In `contents`: what the file holds.
+extern "C" void diefill_read_step_or_iges(const std::filesystem::path& file, const std::string& step,
                                           const diefill::geometry::CadFormat& format, double chord_tolerance,
                                           diefill::geometry::CadParts& contents);

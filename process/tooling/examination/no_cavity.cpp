@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "geometry/cavity/side_opening.h"
 #include "process/results/formatted.h"
 #include "process/tooling/examination/tool_fit.h"
 #include "process/tooling/examination/tool_scale.h"
@@ -192,6 +193,28 @@ std::string punch_text(const Standing& standing, std::size_t which, const geomet
   return name + text;
 }
 
+/// A punch or core rod that stands above the hole of the die, as where the press ejects.
+std::string lifted_out(const Standing& standing) {
+  const geometry::Cavity hole = hole_in_die(standing);
+  if (!hole.found) return "";
+  const double top = standing.meshes[standing.die].bounding_box().upper.z();
+  for (std::size_t k = 0; k < standing.tools.size(); ++k) {
+    const ToolSpec& spec = standing.tooling.tools[standing.tools[k]].spec;
+    const bool is_punch = spec.role == ToolRole::punch;
+    if (k == standing.die || (!is_punch && spec.role != ToolRole::core)) continue;
+    const geometry::Box box = standing.meshes[k].bounding_box();
+    if (box.lower.z() < top - kFit || !meet(box, hole.box, 0)) continue;
+    return results::formatted(
+        "%s \"%s\" stands above the die: it is at %s, its lower end %.4g mm above the top of the die at z = "
+        "%.4g "
+        "mm; lower it into the hole, by its position or by a step before this one%s",
+        is_punch ? "punch" : "core", spec.name.c_str(), in_z(box).c_str(),
+        1e3 * std::max(0.0, box.lower.z() - top), 1e3 * top,
+        is_punch ? ", so that its top is the floor of the cavity" : "");
+  }
+  return "";
+}
+
 /// A punch that reaches up to the fill plane in the hole of the die. Turned upside down the die would stand
 /// above it, with a cavity that nobody means.
 std::string filled_by_punch(const Standing& standing) {
@@ -206,6 +229,21 @@ std::string filled_by_punch(const Standing& standing) {
       return punch_text(standing, k, hole);
   }
   return "";
+}
+
+/// A space that the tools close from below but not at the side.
+std::string open_at_side(const Standing& standing) {
+  std::vector<const geometry::Mesh*> solids;
+  for (const auto& mesh : standing.meshes) solids.push_back(&mesh);
+  const auto opening = geometry::find_side_opening(solids, standing.tooling.fill_plane);
+  if (!opening) return "";
+  return results::formatted(
+      "the space that the tools close from below is open at the side near x = %.4g mm, y = %.4g mm, from z = "
+      "%.4g mm up, below the fill plane at z = %.4g mm: powder would flow out there; close it in CAD, or add "
+      "the "
+      "tool that closes it",
+      1e3 * opening->place.x(), 1e3 * opening->place.y(), 1e3 * opening->height,
+      1e3 * standing.tooling.fill_plane);
 }
 
 std::string nothing_below(const Standing& standing) {
@@ -231,15 +269,17 @@ std::string wrong_unit(const Scene& scene, const Tooling& tooling) {
 std::string why_no_cavity(const Scene& scene, const Tooling& tooling, const std::vector<ToolPose>& poses) {
   const Standing standing = standing_of(scene, tooling, poses);
   using Reason = std::string (*)(const Standing&);
-  for (const Reason reason : {Reason(wrong_fill_plane), Reason(wrong_unit), Reason(filled_by_punch),
-                              Reason(turned), Reason(nothing_below)}) {
+  for (const Reason reason :
+       {Reason(wrong_fill_plane), Reason(wrong_unit), Reason(lifted_out), Reason(filled_by_punch),
+        Reason(turned), Reason(open_at_side), Reason(nothing_below)}) {
     const std::string words = reason(standing);
     if (!words.empty()) return words;
   }
   const geometry::Box die = standing.meshes[standing.die].bounding_box();
   return "die \"" + tooling.tools[tooling.die].spec.name + "\" is at " + in_z(die) +
-         " and has no hole or pocket open at the top; z must point up, and the fill plane is the top of the "
-         "die";
+         ": the tools have no hole or pocket that is open at the fill plane (z = " +
+         results::formatted("%.4g", 1e3 * tooling.fill_plane) +
+         " mm), and closed below and at all sides; check the CAD model, in which z points up";
 }
 
 }  // namespace diefill::process

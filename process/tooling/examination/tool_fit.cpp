@@ -15,6 +15,8 @@ namespace {
 constexpr double kLargestTool = 2;       // m
 constexpr double kAbsurdDistance = 1e6;  // m, a fault in the file: not to be shifted back
 constexpr double kFarthestTool = 20;     // m, middle from the origin of the scene
+constexpr double kLeastOverRadius =
+    4;  // a tool's longest side, over the radius of wall spheres that cover it
 constexpr double kSmallestUsual = 0.01, kLargestUsual = 0.8;  // m, extents of tools that presses have
 
 /// Share of a part's size to which its depth in another is found where no corner shows it.
@@ -85,21 +87,40 @@ void refuse_far(const geometry::Mesh& mesh, const std::string& where) {
   throw SceneError(where + text);
 }
 
+/// What to do where the unit is wrong of a tool with that longest side (m).
+std::string unit_text(const FileUnit& unit, double longest) {
+  return (unit.stated ? "its CAD file states its unit: export it again in the unit that it is drawn in"
+                      : "check whether length_unit is that of the CAD file") +
+         likely_unit(longest / unit.metres);
+}
+
+/// Of a radius that is too large for a tool with that longest side (m).
+std::string radius_text(const WallRadius& radius, double longest) {
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "%s is %.4g mm, allowed for this tool: 0.001 mm to %.4g mm, a quarter of its longest side",
+                radius.key.c_str(), 1e3 * radius.metres, std::floor(1e6 * longest / kLeastOverRadius) / 1e3);
+  return text;
+}
+
 }  // namespace
 
-void check_size(const geometry::Mesh& mesh, double sphere_radius, const FileUnit& unit,
+void check_size(const geometry::Mesh& mesh, const WallRadius& radius, const FileUnit& unit,
                 const std::string& where) {
   const Eigen::Vector3d size = mesh.bounding_box().size();
-  const bool too_large = size.maxCoeff() > kLargestTool, too_small = size.maxCoeff() < 4 * sphere_radius;
+  const bool too_large = size.maxCoeff() > kLargestTool,
+             too_small = size.maxCoeff() < kLeastOverRadius * radius.metres;
   if (!too_large) refuse_far(mesh, where);  // a tool of 200 m is far away only because of its unit
   if (!too_large && !too_small) return;
   const auto millimetres = [&](int k) { return results::in_significant_digits(1e3 * size[k], 4); };
-  throw SceneError(
-      where + ": measures " + millimetres(0) + " x " + millimetres(1) + " x " + millimetres(2) + " mm, " +
-      (too_large ? "allowed: up to 2000 mm" : "too small to be covered with wall spheres") + "; " +
-      (unit.stated ? "its CAD file states its unit: export it again in the unit that it is drawn in"
-                   : "check whether length_unit is that of the CAD file") +
-      likely_unit(size.maxCoeff() / unit.metres));
+  const std::string measures =
+      "measures " + millimetres(0) + " x " + millimetres(1) + " x " + millimetres(2) + " mm";
+  if (!too_large && size.maxCoeff() >= kLeastOverRadius * WallSpec{}.sphere_radius)
+    throw SceneError(where + ": " + radius_text(radius, size.maxCoeff()) + "; the tool " + measures +
+                     (size.maxCoeff() < kSmallestUsual ? ", or " + unit_text(unit, size.maxCoeff()) : ""));
+  throw SceneError(where + ": " + measures + ", " +
+                   (too_large ? "allowed: up to 2000 mm" : "too small to be covered with wall spheres") +
+                   "; " + unit_text(unit, size.maxCoeff()));
 }
 
 geometry::Penetration deepest_overlap(const Tool& one, const Tool& other, double resolution) {

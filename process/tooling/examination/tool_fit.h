@@ -17,9 +17,16 @@ struct FileUnit {
   bool stated = false;  ///< by the file itself: a length_unit in the scene that differs is refused
 };
 
+/// Radius of the wall spheres of a tool.
+struct WallRadius {
+  double metres = 0;
+  std::string key = "walls.sphere_radius";  ///< that gives it
+};
+
 /// Throws SceneError (beginning with `where`) when the part is larger than any press or too small to be
-/// covered with wall spheres of that radius (m), as when its CAD file is in another unit than `unit`.
-void check_size(const geometry::Mesh& mesh, double sphere_radius, const FileUnit& unit,
+/// covered with wall spheres of that radius, as when its CAD file is in another unit than `unit`, or the
+/// radius is too large.
+void check_size(const geometry::Mesh& mesh, const WallRadius& radius, const FileUnit& unit,
                 const std::string& where);
 
 /// How deep one part reaches into the other: of corners exactly, elsewhere to `resolution` (m) or a two

@@ -1,6 +1,8 @@
 // A run's density in the mesh of a press simulation, from the command line.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <iomanip>
 #include <sstream>
 
 #include "tests/app/small_die.h"
@@ -10,18 +12,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// 2 x 2 x 2 hexahedra over the pocket of the small die in mm, numbered from 101, and one far away, 200.
-std::string pocket_mesh() {
+/// 2 x 2 x 2 hexahedra over the pocket of the small die, numbered from 101, with `per_mm` units in a
+/// millimetre.
+std::string pocket_alone(double per_mm) {
   std::ostringstream text;
+  text << std::setprecision(12) << std::showpoint;
   text << "*NODE\n";
   int number = 0;
   for (int k = 0; k < 3; ++k)
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < 3; ++i)
-        text << ++number << ", " << -5 + 2 * i << ", " << -2 + 2 * j << ", " << -4 + 2 * k << "\n";
-  for (int k = 0; k < 2; ++k)
-    for (int j = 0; j < 2; ++j)
-      for (int i = 0; i < 2; ++i) text << ++number << ", " << 50 + i << ", " << j << ", " << k << "\n";
+        text << ++number << ", " << per_mm * (-5 + 2 * i) << ", " << per_mm * (-2 + 2 * j) << ", "
+             << per_mm * (-4 + 2 * k) << "\n";
   text << "*ELEMENT, TYPE=C3D8R\n";
   int element = 100;
   for (int k = 0; k < 2; ++k)
@@ -32,8 +34,18 @@ std::string pocket_mesh() {
         for (const int node : {0, 1, 4, 3, 9, 10, 13, 12}) text << ", " << first + node;
         text << "\n";
       }
-  text << "200, 28, 29, 31, 30, 32, 33, 35, 34\n";
   return text.str();
+}
+
+/// The same in mm, and one element far away, 200.
+std::string pocket_mesh() {
+  std::ostringstream text;
+  int number = 27;
+  text << "*NODE\n";
+  for (int k = 0; k < 2; ++k)
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 2; ++i) text << ++number << ", " << 50 + i << ", " << j << ", " << k << "\n";
+  return pocket_alone(1) + text.str() + "*ELEMENT, TYPE=C3D8R\n200, 28, 29, 31, 30, 32, 33, 35, 34\n";
 }
 
 /// Sum of a column (from 0) of a CSV.
@@ -117,6 +129,40 @@ TEST(ExportDensity, WithoutASolidFractionTheOptionThatIsGivenIsNamed) {
   };
   refused("1 mm", "--density-grid: the result holds no measured solid fraction");
   refused("1 kg", "--density-grid: found \"1 kg\"");
+}
+
+TEST(ExportDensity, OfAMeshInAnyUnitIsThatOfTheSameMesh) {
+  const SmallDie die;
+  ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 0);
+  const auto exported = [&](const std::string& name, const std::string& unit) {
+    return run_program({"export", die.out().string(), "--out", (die.folder() / "density").string(),
+                        "--density-for", (die.folder() / name).string(), "--mesh-unit", unit});
+  };
+  for (const auto& [unit, per_mm] : {std::pair<const char*, double>{"mm", 1},
+                                     {"cm", 0.1},
+                                     {"m", 1e-3},
+                                     {"um", 1e3},
+                                     {"inch", 1 / 25.4},
+                                     {"ft", 1 / 304.8}}) {
+    SCOPED_TRACE(unit);
+    const std::string name = std::string(unit) + ".inp";
+    die.write(name, pocket_alone(per_mm));
+    const Outcome outcome = exported(name, unit);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("mesh: 8 elements, 27 nodes, 64 mm^3"), std::string::npos) << outcome.out;
+    EXPECT_NEAR(sum_of_column(die.folder() / "density" / (std::string(unit) + "_density_elements.csv"), 7),
+                die.report()["filled_mass_kg"], 1e-9);
+  }
+  // In a larger unit than its own it would be thousands of times the pocket.
+  for (const auto& [name, wrong, own] : {std::array<const char*, 3>{"mm.inp", "inch", "mm"},
+                                         {"mm.inp", "cm", "mm"},
+                                         {"inch.inp", "m", "inch"}}) {
+    const Outcome bad = exported(name, wrong);
+    EXPECT_EQ(bad.exit_code, 2) << name;
+    EXPECT_EQ(bad.complaints(), 1U) << bad.err;
+    EXPECT_NE(bad.err.find(std::string("it is as large: give --mesh-unit ") + own), std::string::npos)
+        << bad.err;
+  }
 }
 
 }  // namespace

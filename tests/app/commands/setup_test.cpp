@@ -183,6 +183,44 @@ TEST(NoCavity, WithAPunchThatFillsTheHole) {
   }
 }
 
+TEST(NoCavity, WithAPunchLiftedOutOfTheDie) {
+  for (const auto& [top, above] :
+       {std::pair{3.0, "0 mm above the top of the die at z = 0 mm"}, {5.5, "2.5 mm above"}}) {
+    const ThroughDie die;
+    die.add_tool("punch", "punch", punch_to(top), "[\"0 mm\", \"0 mm\", \"0 mm\"]");
+    expect_refused(die, "punch \"punch\" stands above the die: it is at z = ");
+    expect_refused(die, above);
+  }
+}
+
+TEST(NoCavity, WithACoreLiftedOutOfTheDie) {
+  const ThroughDie die;
+  die.add_tool("punch", "punch",
+               cad::tube(cad::rectangle(-4.98, -1.02, -1.98, 1.98), cad::rectangle(-4, -2, -1, 1), -7, -4),
+               "[\"0 mm\", \"0 mm\", \"0 mm\"]");
+  die.add_tool("core", "core", cad::prism(cad::rectangle(-3.98, -2.02, -0.98, 0.98), -7, 0),
+               "[\"0 mm\", \"0 mm\", \"8 mm\"]");
+  expect_refused(
+      die, "core \"core\" stands above the die: it is at z = 1 to 8 mm, its lower end 1 mm above the top");
+}
+
+/// Walls of the die on three sides above a pocket that is closed up to z = -2 mm.
+TEST(NoCavity, ForAnOpenSide) {
+  const SmallDie die;
+  const auto wall = [](double lower_x, double upper_x, double lower_y, double upper_y) {
+    return cad::prism(cad::rectangle(lower_x, upper_x, lower_y, upper_y), -2, 0);
+  };
+  die.write("die.stl", cad::binary_stl(wall(-15, 6, 2, 3.5)));
+  die.add_tool("front", "die", wall(-15, 6, -3.5, -2), "[\"0 mm\", \"0 mm\", \"0 mm\"]");
+  die.add_tool("end", "die", wall(-1, 6, -2, 2), "[\"0 mm\", \"0 mm\", \"0 mm\"]");
+  die.add_tool(
+      "bottom", "die",
+      cad::block_with_pocket(cad::rectangle(-15, 6, -3.5, 3.5), cad::rectangle(-5, -1, -2, 2), -5, -4, -2),
+      "[\"0 mm\", \"0 mm\", \"0 mm\"]");
+  expect_refused(die, "is open at the side near x = -1");
+  expect_refused(die, "from z = -2 mm up, below the fill plane at z = 0 mm");
+}
+
 TEST(NoCavity, WithAPunchInInches) {
   const ThroughDie die;
   cad::Part punch = punch_to(-4);

@@ -126,6 +126,38 @@ TEST(CurvedFaces, AParameterOfStepThatIsNoNumberIsNamedWithItsLine) {
   EXPECT_NO_THROW(part_of(directory.write("named.step", named), ""));
 }
 
+/// The shoe's STEP file with that name of its product.
+std::string shoe_called(const std::string& name) {
+  std::string text = support::contents(kTools + "shoe/shoe.step");
+  const std::string product = "PRODUCT('";
+  const std::size_t begin = text.find(product) + product.size();
+  return text.replace(begin, text.find('\'', begin) - begin, name);
+}
+
+TEST(CurvedFaces, NamesInUtf8Latin1AndAsStepWritesThemAreTheSame) {
+  const support::TemporaryFolder directory;
+  for (const std::string written : {"Matr\xc3\xa9"
+                                    "ce",
+                                    "Matr\xe9"
+                                    "ce",
+                                    "Matr\\X2\\00E9\\X0\\ce", "Matr\\X\\E9ce"}) {
+    const ImportedPart part = part_of(directory.write("named.step", shoe_called(written)),
+                                      "Matr\xc3\xa9"
+                                      "ce");
+    EXPECT_EQ(part.parts, std::vector<std::string>{"Matr\xc3\xa9"
+                                                   "ce"})
+        << written;
+    EXPECT_NEAR(part.mesh.volume(), (38 * 56 - 32 * 50) * 37e-9, 1e-13) << written;
+  }
+}
+
+TEST(CurvedFaces, AMarkOfUtf8IsPassedOver) {
+  const support::TemporaryFolder directory;
+  const std::string text = "\xef\xbb\xbf" + support::contents(kTools + "shoe/shoe.step");
+  EXPECT_NEAR(part_of(directory.write("marked.step", text), "").mesh.volume(), (38 * 56 - 32 * 50) * 37e-9,
+              1e-13);
+}
+
 TEST(CurvedFaces, TrianglesKeepTheChordTolerance) {
   double before = 0;
   for (const double chord : {2e-5, 5e-6, 1e-6}) {

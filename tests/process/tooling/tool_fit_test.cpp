@@ -19,7 +19,7 @@ geometry::Mesh tool_at(const Eigen::Vector3d& middle, double size) {
 /// What is said of a tool of that `size` (m) at `middle`, in mm; nothing where it is taken.
 std::string complaint(const Eigen::Vector3d& middle, double size, bool file_states_unit = false) {
   try {
-    check_size(tool_at(middle, size), 1.5e-4, {1e-3, file_states_unit}, "tool \"die\"");
+    check_size(tool_at(middle, size), {1.5e-4}, {1e-3, file_states_unit}, "tool \"die\"");
   } catch (const SceneError& error) {
     return error.what();
   }
@@ -61,6 +61,33 @@ TEST(ToolFit, WhereTheFileStatesItsUnitLengthUnitIsNotTheRemedy) {
     expect_says(message, "its CAD file states its unit: export it again in the unit that it is drawn in (");
     EXPECT_EQ(message.find("length_unit"), std::string::npos) << message;
   }
+}
+
+/// What is said of a tool of that `size` (m) with wall spheres of that radius; nothing where it is taken.
+std::string complaint_of_radius(double size, const WallRadius& radius) {
+  try {
+    check_size(tool_at({0, 0, 0}, size), radius, {1e-3, false}, "scene.toml:8: tool \"die\"");
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ToolFit, ARadiusThatIsTooLargeForAToolIsToldByItsKey) {
+  const std::string message = complaint_of_radius(0.0166, {0.01});
+  expect_says(
+      message,
+      "scene.toml:8: tool \"die\": walls.sphere_radius is 10 mm, allowed for this tool: 0.001 mm to 4.15 "
+      "mm, a quarter of its longest side; the tool measures 16.60 x 16.60 x 16.60 mm");
+  EXPECT_EQ(message.find("length_unit"), std::string::npos) << message;
+  expect_says(complaint_of_radius(0.0166, {0.005, "its sphere_radius"}),
+              "its sphere_radius is 5 mm, allowed");
+  EXPECT_EQ(complaint_of_radius(0.0166, {0.0041}), "");
+  // A die of 74 mm whose file in inches is taken for one in millimetres.
+  const std::string doubtful = complaint_of_radius(0.0029, {0.001});
+  expect_says(doubtful, "walls.sphere_radius is 1 mm, allowed for this tool: 0.001 mm to 0.725 mm");
+  expect_says(doubtful,
+              "or check whether length_unit is that of the CAD file (29 mm in \"cm\", 73.66 mm in \"inch\")");
 }
 
 /// A tool of that name whose mesh is that of `size` (m) about `middle`.
