@@ -11,7 +11,9 @@ enum ExitCode : int {
   kFailed = 1,      ///< a full disk, a missing library: not the scene's fault
   kBadInput = 2,    ///< the scene, the CAD or the command line
   kOutOfRange = 3,  ///< the run left the method's valid range
-  kUnfinished = 4,  ///< numerics.max_time was over before the scene: results of what there is, can be resumed
+  /// numerics.max_time was over before the scene, or that waits for what never comes: results of what there
+  /// is
+  kUnfinished = 4,
   kInterrupted = 130  ///< stopped by the user, can be resumed
 };
 

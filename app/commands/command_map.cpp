@@ -17,6 +17,7 @@
 #include "app/pictures/drawing.h"
 #include "app/pictures/picture_kinds.h"
 #include "app/pictures/source_names.h"
+#include "process/input/unit_vector.h"
 #include "process/measure/choose_cavity.h"
 #include "process/measure/fields/measured_fields.h"
 #include "process/measure/fields/time_average.h"
@@ -55,11 +56,12 @@ Eigen::Vector3d normal_of(const std::string& text) {
   if (text == "z") return Eigen::Vector3d::UnitZ();
   const auto numbers = numbers_in(text);
   if (numbers.size() == 3) {
-    const Eigen::Vector3d normal(numbers[0], numbers[1], numbers[2]);
-    if (normal.norm() > 0) return normal;
+    const Eigen::Vector3d given(numbers[0], numbers[1], numbers[2]);
+    if (const auto normal = process::unit_vector(given)) return *normal;
   }
-  throw process::SceneError("--normal: found \"" + text +
-                            "\", allowed: x, y, z, or three numbers not all 0, such as 1,0,1");
+  throw process::SceneError(
+      "--normal: found \"" + text +
+      "\", allowed: x, y, z, or three numbers not all 0 and of sizes near 1, such as 1,0,1");
 }
 
 /// m, the same for all sources.

@@ -98,12 +98,12 @@ void note_expected_errors(const process::Scene& scene, const process::Tooling& t
         "; measured in " + errors.front().source);
 }
 
-/// Says that numerics.max_time was over before the scene.
+/// Says why the run ended before the scene.
 int unfinished(const process::FillRun& fill) {
-  std::fprintf(stderr,
-               "diefill: %s: results cover the simulated time only; raise max_time and run the same command "
-               "with --resume to continue\n",
-               fill.why_unfinished().c_str());
+  std::fprintf(stderr, "diefill: %s: results cover the simulated time only; %s\n",
+               fill.why_unfinished().c_str(),
+               fill.waits_in_vain() ? "wait for less, or give the step another end, and run again"
+                                    : "raise max_time and run the same command with --resume to continue");
   return kUnfinished;
 }
 
@@ -257,8 +257,9 @@ void add_run(CLI::App& program, Action& chosen) {
       "filling\n"
       "Earlier results and pictures in the directory are moved to its folder previous-1, previous-2, ...\n"
       "Exit codes: 0 done, 1 failed, 2 bad input, 3 valid range of the method exceeded, 4 unfinished: "
-      "numerics.max_time\nended before the scene (results cover the simulated time; resume with a larger "
-      "one), 130 stopped (can be\nresumed).");
+      "numerics.max_time\nended before the scene, or it waits for what never comes (results cover the "
+      "simulated "
+      "time; resume with a\nlarger one), 130 stopped (can be\nresumed).");
   command->callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
 }
 

@@ -19,9 +19,11 @@ std::vector<Entry> exit_codes() {
       entry(kFailed, "Failed: a full disk, a missing library; not the fault of the scene."),
       entry(kBadInput, "Bad input: the scene, a CAD file, results or the command line."),
       entry(kOutOfRange, "The run left the valid range of the method."),
-      entry(kUnfinished,
-            "numerics.max_time was reached before the scene ended: the results are marked unfinished, and "
-            "--resume continues the run."),
+      entry(
+          kUnfinished,
+          "numerics.max_time was reached before the scene ended, or a step waits for a mass or a force that "
+          "powder at rest never brings: the results are marked unfinished, and --resume continues the run "
+          "with a larger max_time."),
       entry(kInterrupted, "Stopped by the user; a run leaves a checkpoint for --resume.")};
 }
 

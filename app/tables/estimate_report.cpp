@@ -79,6 +79,7 @@ Json powder_as_json(const estimate::Estimate& found) {
   return {{"apparent_density_kg_m3", powder.density},
           {"apparent_density_is_estimate", powder.density_is_estimate},
           {"grain_diameter_m", found.grain_diameter},
+          {"bond", found.bond},
           {"in_shoe_kg", powder.in_shoe},
           {"let_in_kg", results::json_number(powder.let_in)},
           {"particle_diameter_m", number(powder.particle_diameter)},
@@ -91,6 +92,7 @@ Json powder_as_json(const estimate::Estimate& found) {
             {"C_F", law.numbers.steady},
             {"beta", law.numbers.beta},
             {"largest_x", results::json_number(law.longest)},
+            {"largest_bond", results::json_number(law.largest_bond)},
             {"source", law.source},
             {"applies", law.applies},
             {"remark", law.remark}}}};
@@ -106,6 +108,10 @@ const char* name_of(estimate::Answer answer) {
       return "too fast";
     case estimate::Answer::fills:
       return "fills";
+    case estimate::Answer::no_formula:
+      return "no estimate";
+    case estimate::Answer::shut:
+      return "nothing runs in";
     case estimate::Answer::open:
       break;
   }
@@ -123,12 +129,12 @@ void print_estimate(const estimate::Estimate& found) {
     add("formula: ", statement.source);
     add("valid: ", statement.valid);
     add("error against DEM: ", statement.error);
-    if (printed.insert(ground).second) std::printf("%s\n", ground.c_str());
+    if (!ground.empty() && printed.insert(ground).second) std::printf("%s\n", ground.c_str());
   }
   for (const auto& number : found.numbers)
     std::printf("%s: %.3g, %s (%s)\n", number.name.c_str(), number.value, number.meaning.c_str(),
                 number.source.c_str());
-  if (!found.law.remark.empty()) std::printf("note: %s\n", found.law.remark.c_str());
+  if (found.is_estimated() && !found.law.remark.empty()) std::printf("note: %s\n", found.law.remark.c_str());
   std::printf("powder: apparent density %.3g g/cm3%s; %.3g g in the shoe\n", 1e-3 * found.powder.density,
               found.powder.density_is_estimate ? " (estimated; set powder.apparent_density)" : "",
               1e3 * found.powder.in_shoe);

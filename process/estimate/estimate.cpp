@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "process/estimate/cohesion.h"
+#include "process/estimate/no_estimate.h"
 #include "process/estimate/opening_estimate.h"
 #include "process/estimate/openings/outlet.h"
 #include "process/estimate/powder_estimate.h"
@@ -86,6 +88,9 @@ Estimate estimate(const Scene& given, const Tooling& tooling, const EstimateOpti
   found.law = options.law ? *options.law : discharge_of(scene.powder);
   found.grain_diameter = scene.powder.grain_diameter;
   found.error = known_error(scene, options.law.has_value());
+  found.cycle_time = cycle_time(scene);
+  if (is_not_estimated(scene, tooling, found)) return found;
+  found.bond = bond_number(scene);
   OpeningLayout layout = find_openings(scene, tooling);
   found.path = shoe_path(scene, tooling, layout);
   const InflowPowder powder{found.law, found.powder.density, found.grain_diameter, scene.gravity.norm()};
@@ -105,7 +110,6 @@ Estimate estimate(const Scene& given, const Tooling& tooling, const EstimateOpti
     found.suctions.push_back(suction_estimate(scene, inputs, k, found.powder));
   found.outlet = outlet_of(scene, tooling, powder, found.powder.in_shoe);
   found.only_shaken = only_shakes(scene);
-  found.cycle_time = cycle_time(scene);
   found.crossing_time = crossing_time(scene, found.path.tool);
   find_answer(found);
   found.numbers = scene_numbers(scene, found);

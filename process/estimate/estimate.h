@@ -108,12 +108,20 @@ struct PowderEstimate {
 };
 
 /// What the estimate settles.
-enum class Answer { nothing_moves, too_fast, fills, open };
+enum class Answer {
+  nothing_moves,
+  too_fast,
+  fills,
+  open,
+  no_formula,  ///< formulas do not hold for this scene: there are no openings and no numbers
+  shut         ///< the shoe is closed: nothing runs in, and there are no openings either
+};
 
 struct Estimate {
   PowderEstimate powder;
   PowderDischarge law;
   double grain_diameter = 0;            ///< m
+  double bond = 0;                      ///< Bond number of the powder at its own size
   ShoePath path;                        ///< without exposures
   std::optional<double> cycle_time;     ///< s, of the steps
   std::optional<double> crossing_time;  ///< s of one crossing, pauses apart
@@ -126,7 +134,9 @@ struct Estimate {
   bool powder_limited = false;      ///< the shoe holds less than runs in: masses are cut down to it
   KnownError error;
   Answer answer = Answer::open;
-  std::vector<std::string> open_because;  ///< why there is no answer, a clause each; empty: too close to call
+  /// Why there is no answer, a clause each; empty: too close to call. Why nothing is estimated, or runs in.
+  std::vector<std::string> open_because;
+  bool is_estimated() const { return answer != Answer::no_formula && answer != Answer::shut; }
 };
 
 /// Estimates a scene on its tools; no wall spheres are needed. `scene` may have its steps prepared or not.

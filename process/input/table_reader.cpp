@@ -9,6 +9,7 @@
 #include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
+#include "process/input/unit_vector.h"
 #include "process/results/word_list.h"
 
 namespace diefill::process {
@@ -283,8 +284,14 @@ std::optional<Eigen::Vector3d> TableReader::direction(const std::string& key) {
     if (!(*list)[axis].is_number()) reject_node(*node, key, needed);
     vector[static_cast<Eigen::Index>(axis)] = plain_number((*list)[axis]);
   }
-  if (!vector.allFinite() || !(vector.stableNorm() > 0)) reject_node(*node, key, needed);
-  return vector.stableNormalized();
+  if (!vector.allFinite() || vector.isZero(0)) reject_node(*node, key, needed);
+  const auto direction = unit_vector(vector);
+  if (!direction)
+    reject_node(*node, key,
+                "the largest number must lie between " + number_text(kShortestDirection) + " and " +
+                    number_text(kLongestDirection) +
+                    ", or the vector has no direction; give numbers near 1, such as [0, 1, 0]");
+  return *direction;
 }
 
 std::optional<std::size_t> TableReader::chosen(const std::string& key,

@@ -74,7 +74,8 @@ class TableReader {
   /// Three quantities along x, y, z.
   std::optional<Eigen::Vector3d> point(const std::string& key, const QuantityRule& rule);
   Eigen::Vector3d required_point(const std::string& key, const QuantityRule& rule);
-  /// A unit vector from "x", "y", "z" (with or without sign) or three numbers that are not all zero.
+  /// A unit vector from "x", "y", "z" (with or without sign) or three numbers that have a direction
+  /// (unit_vector.h).
   std::optional<Eigen::Vector3d> direction(const std::string& key);
 
   template <class Value>

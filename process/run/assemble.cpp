@@ -188,7 +188,7 @@ std::vector<results::SectionPlane> wanted_sections(const Scene& scene) {
 
 /// Suffix to the names of a scene that is not over, so that pages and pictures show it.
 std::string unfinished_mark(const FillRun& run) {
-  if (!run.ran_out_of_time()) return {};
+  if (!run.ended_early()) return {};
   return results::formatted(" (UNFINISHED, at t = %.4g s)", run.simulation().time());
 }
 

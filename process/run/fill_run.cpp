@@ -11,6 +11,7 @@
 #include "process/input/units.h"
 #include "process/powder/material.h"
 #include "process/powder/mixed_powder.h"
+#include "process/results/formatted.h"
 #include "process/run/check_intervals.h"
 #include "process/run/economies.h"
 #include "process/run/powder_domain.h"
@@ -63,12 +64,10 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   const double largest = largest_grain(scene);
   const double width = tooling.all_cavities().narrowest_width;
   if (tooling.cavity.found && width > 0 && largest > width / 3) {
-    char text[240];
-    std::snprintf(text, sizeof text,
-                  "grain diameter over cavity width is %.2f, above 1/3 (%.2f mm in %.2f mm): too coarse for "
-                  "a reliable density map, use it only for a first look",
-                  largest / width, 1e3 * largest, 1e3 * width);
-    warnings_.emplace_back(text);
+    warnings_.push_back(results::formatted(
+        "grain diameter over cavity width is %.2f, above 1/3 (%.2f mm in %.2f mm): too coarse for a reliable "
+        "density map, use it only for a first look, or grains of %.3g mm or less (powder.grain_diameter)",
+        largest / width, 1e3 * largest, 1e3 * width, 1e3 * width / 3));
   }
   started_ = last_checkpoint_ = Clock::now();
   schedule_.begin(*simulation_);
@@ -85,7 +84,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
 void FillRun::run() {
   start_or_resume();
   ForcedToolWatch forced_tools(scene_, tooling_);
-  while (!schedule_.finished() && !(at_sync_step() && out_of_time())) {
+  while (!schedule_.finished() && !(at_sync_step() && (out_of_time() || waits_in_vain_))) {
     free_tools_.before_step(*simulation_);
     make_step();
     free_tools_.after_step(*simulation_);
@@ -123,6 +122,7 @@ void FillRun::do_periodic_tasks() {
   if (stage_over) clear_powder();
   if (stage_over) change_powder();
   if (step % kFeedInterval == 0 && source_.any()) feed_powder();
+  if (step % kScheduleInterval == 0) look_for_standstill();
   if (stage_over) {
     progress_.note("t = " + std::to_string(simulation_->time()) + " s: " + schedule_.description());
     check_for_lost_grains();
@@ -263,7 +263,7 @@ double FillRun::wall_seconds() const {
 std::vector<std::string> FillRun::warnings() const {
   std::vector<std::string> all = warnings_;
   if (options_.engine != nullptr) all.push_back(options_.engine->description());
-  if (ran_out_of_time())
+  if (ended_early())
     all.insert(all.begin(), "unfinished: " + why_unfinished() + "; all figures refer to this time");
   for (auto& economy : economies_text(scene_, *simulation_, sphere_steps_)) all.push_back(std::move(economy));
   all.insert(all.end(), monitor_.warnings().begin(), monitor_.warnings().end());

@@ -61,12 +61,15 @@ class FillRun {
   /// `options.inputs` says.
   FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& options);
 
-  /// Runs to the end, or until numerics.max_time is over; the state then lies in a checkpoint. Throws
-  /// SceneError for a checkpoint of another scene, engine::OutOfRange when the method's range is left (the
-  /// last good checkpoint stands), Interrupted when stopped by the user.
+  /// Runs to the end, until numerics.max_time is over, or until nothing can change any more while a step
+  /// waits for a mass or a force; the state then lies in a checkpoint. Throws SceneError for a checkpoint of
+  /// another scene, engine::OutOfRange when the method's range is left (the last good checkpoint stands),
+  /// Interrupted when stopped by the user.
   void run();
-  /// Whether numerics.max_time was over before the scene.
-  bool ran_out_of_time() const { return !schedule_.finished() && out_of_time(); }
+  /// Whether the run ended before the scene: numerics.max_time was over, or the scene waits in vain.
+  bool ended_early() const { return !schedule_.finished() && (out_of_time() || waits_in_vain_); }
+  /// Whether the scene waits for what powder at rest will never do.
+  bool waits_in_vain() const { return waits_in_vain_; }
   /// Share of the simulated time that is over, 0 to 1, as far as can be predicted.
   double share_done() const;
   /// Why the scene is not over, for messages; empty once it is.
@@ -124,6 +127,7 @@ class FillRun {
   bool write_checkpoint();
   [[noreturn]] void stop_with_checkpoint();
   bool out_of_time() const;
+  void look_for_standstill();
   void save_shared_start();
   bool keep(const std::function<void()>& write, const std::string& otherwise);
   void show_progress();
@@ -151,6 +155,9 @@ class FillRun {
   geometry::Box domain_;  ///< m, grains beyond it have been spilled or discharged
   std::vector<std::string> warnings_;
   std::vector<results::Instant> instants_;
+  RestWatch standstill_;        ///< since when the powder rests while the schedule waits for it
+  double standing_since_ = -1;  ///< s, since when it stays so; negative: it does not
+  bool waits_in_vain_ = false;
   GrainTally removed_, sheared_;
   std::uint64_t sphere_steps_ = 0;
   double earlier_wall_seconds_ = 0;

@@ -135,8 +135,29 @@ bool FillRun::out_of_time() const {
   return scene_.numerics.max_time > 0 && simulation_->time() > scene_.numerics.max_time;
 }
 
+/// Powder that has come to rest while no tool moves stays so. A checkpoint does not know since when it rests:
+/// a resumed run waits once more.
+void FillRun::look_for_standstill() {
+  constexpr double kPatience = 0.2;  // s at rest
+  const double now = simulation_->time();
+  if (!schedule_.waits_for_powder(*simulation_)) {
+    standstill_ = {};
+    standing_since_ = -1;
+    return;
+  }
+  if (!standstill_.at_rest(*simulation_, grain_diameter_))
+    standing_since_ = -1;
+  else if (standing_since_ < 0)
+    standing_since_ = now;
+  waits_in_vain_ = standing_since_ >= 0 && now - standing_since_ >= kPatience;
+}
+
 std::string FillRun::why_unfinished() const {
   if (schedule_.finished()) return {};
+  if (waits_in_vain_)
+    return "the scene cannot end: at t = " + number_text(simulation_->time()) +
+           " s all powder is at rest, none comes in and no tool moves, but " +
+           schedule_.unmet_condition(*simulation_);
   std::string why = "the scene had not ended ";
   if (out_of_time())
     why += "after numerics.max_time of " + number_text(scene_.numerics.max_time) + " s";

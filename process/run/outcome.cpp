@@ -4,16 +4,17 @@
 #include <cmath>
 #include <cstdio>
 
+#include "process/powder/material.h"
+#include "process/results/formatted.h"
 #include "process/setup/setup_findings.h"
 
 namespace diefill::process {
 
 namespace {
 
-constexpr double kMuchLost = 0.02;       // share of the grains
-constexpr double kUnfilled = 0.5;        // fill ratio
-constexpr double kFewGrains = 50;        // in the cavity
-constexpr double kUsualFraction = 0.35;  // solid fraction where nothing is known
+constexpr double kMuchLost = 0.02;      // share of the grains
+constexpr double kUnfilled = 0.5;       // fill ratio
+constexpr std::size_t kFewGrains = 50;  // in the cavity
 
 double figure(const results::FillResult& result, const std::string& name) {
   const auto found = result.figures.find(name);
@@ -37,34 +38,36 @@ void warn_about_lost_grains(const Scene& scene, const results::FillResult& resul
   lines.push_back((share > kMuchLost && !meant ? kAlert : std::string()) + text);
 }
 
-/// Powder in the cavity over that of a full one; as the estimate of the settled solid fraction has it where
-/// no bed was left to compare with.
-double filled_share(const Scene& scene, const results::FillResult& result) {
-  const double ratio = figure(result, "fill_ratio");
-  if (std::isfinite(ratio)) return ratio;
-  const double fraction = scene.pour.solid_fraction > 0 ? scene.pour.solid_fraction : kUsualFraction;
-  const double density = result.powder.grain_mass / result.powder.grain_solid_volume;
-  return figure(result, "filled_mass_kg") / (result.cavity.volume * fraction * density);
-}
-
+/// Why a cavity counts as unfilled: by its fill ratio, and where that is not known, as no bed was left to
+/// compare with, by the solid fraction that settled powder is expected to have.
 void warn_about_unfilled_cavity(const Scene& scene, const results::FillResult& result,
                                 std::vector<std::string>& lines) {
-  if (!(result.cavity.volume > 0) || scene.steps.empty()) return;
-  char text[200];
-  const double share = filled_share(scene, result);
-  if (share < kUnfilled) {
-    std::snprintf(text, sizeof text, "the cavity contains %.0f %% of the powder that would fill it",
-                  100 * share);
-    lines.push_back(kAlert + std::string(text));
+  const double ratio = figure(result, "fill_ratio");
+  if (std::isfinite(ratio)) {
+    if (ratio < kUnfilled)
+      lines.push_back(
+          kAlert +
+          results::formatted("the cavity contains %.0f %% of the powder that would fill it", 100 * ratio));
+    return;
   }
-  const double grains = figure(result, "filled_mass_kg") / result.powder.grain_mass;
+  const double expected = expected_solid_fraction(scene);
+  const double guess = figure(result, "cavity_solid_fraction") / expected;
+  if (guess < kUnfilled)
+    lines.push_back(kAlert +
+                    results::formatted("the cavity is roughly %.0f %% full, by the solid fraction of %.2f "
+                                       "that settled powder is expected to have; the fill ratio itself "
+                                       "is unknown, as too little powder lies outside to compare with",
+                                       100 * guess, expected));
+}
+
+void warn_about_few_grains(const results::FillResult& result, std::vector<std::string>& lines) {
+  const auto& inside = result.solid_fraction.in_cavity;
+  const auto grains = static_cast<std::size_t>(std::count(inside.begin(), inside.end(), 1));
   if (grains >= kFewGrains) return;
-  std::snprintf(text, sizeof text,
-                "the cavity contains about %.0f model grains, fewer than %.0f: its figures are not "
-                "significant; use a smaller "
-                "grain_diameter",
-                grains, kFewGrains);
-  lines.push_back(kAlert + std::string(text));
+  lines.push_back(kAlert +
+                  results::formatted("the cavity contains %zu model grain%s, fewer than %zu: its figures "
+                                     "are not significant; use a smaller grain_diameter",
+                                     grains, grains == 1 ? "" : "s", kFewGrains));
 }
 
 bool holds_powder(const ToolSpec& tool) {
@@ -96,7 +99,10 @@ void warn_about_shaken_bed(const Scene& scene, const results::FillResult& result
 std::vector<std::string> outcome_text(const Scene& scene, const results::FillResult& result) {
   std::vector<std::string> lines;
   warn_about_lost_grains(scene, result, lines);
-  warn_about_unfilled_cavity(scene, result, lines);
+  if (result.cavity.volume > 0 && !scene.steps.empty()) {
+    warn_about_unfilled_cavity(scene, result, lines);
+    warn_about_few_grains(result, lines);
+  }
   warn_about_shaken_bed(scene, result, lines);
   return lines;
 }

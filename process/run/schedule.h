@@ -62,6 +62,13 @@ class Schedule {
   /// Counts grains that step k of the scene fed.
   void count_inflow(std::size_t k, std::size_t grains) { state_.steps[k + 1].grains_fed += grains; }
 
+  /// Whether the schedule waits for a mass or a force that powder at rest will not change: no tool moves, and
+  /// time alone ends and starts no step.
+  bool waits_for_powder(const engine::Simulation& simulation) const;
+  /// What it then waits for, with the value now: "scene.toml:12:9: step.until waits for 5 g in the cavity,
+  /// which holds 3.2 g".
+  std::string unmet_condition(const engine::Simulation& simulation) const;
+
   /// The active steps as text; "done" after the last.
   std::string description() const;
   /// s that remain at least, with `settling_time` s for whatever is not known in advance.
@@ -76,6 +83,10 @@ class Schedule {
   bool stops(std::size_t k, const engine::Simulation& simulation);
   bool measured(const Condition& condition, ConditionState& watch,
                 const engine::Simulation& simulation) const;
+  bool time_fulfils(const Condition& condition, double now) const;
+  bool goes_on_by_itself(std::size_t k, const engine::Simulation& simulation) const;
+  bool lets_powder_in(std::size_t k, const engine::Simulation& simulation) const;
+  const Condition* unmet_by(std::size_t k, double now) const;
   double mean_force(const std::string& tool) const;
   double mean_resistance(const Step& step, const engine::Simulation& simulation) const;
   bool control(engine::Simulation& simulation);

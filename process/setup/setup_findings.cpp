@@ -8,7 +8,7 @@
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
 #include "process/scene/powder/powder_file.h"
-#include "process/tooling/examination/plan_view.h"
+#include "process/setup/unreachable_mass.h"
 #include "process/tooling/half_model.h"
 #include "process/tooling/stages.h"
 #include "process/tooling/tool_paths.h"
@@ -17,59 +17,15 @@ namespace diefill::process {
 
 namespace {
 
-constexpr int kCells = 16;            // each way, of the pour box
-constexpr double kFewOutside = 0.02;  // share of the pour box
-constexpr double kFewGrains = 50;     // in a full cavity
-constexpr double kNearPunch = 5e-4;   // m
-constexpr double kTooLittle = 0.95;   // powder poured over the cavity's volume
-
-bool has_shoe(const Scene& scene) {
-  return std::any_of(scene.tools.begin(), scene.tools.end(),
-                     [](const ToolSpec& tool) { return tool.role == ToolRole::shoe; });
-}
+constexpr double kFewGrains = 50;    // in a full cavity
+constexpr double kNearPunch = 5e-4;  // m
+constexpr double kTooLittle = 0.95;  // powder poured over the cavity's volume
 
 bool shoe_moves(const Scene& scene) {
   const Stages stages(scene);
   return std::any_of(scene.tools.begin(), scene.tools.end(), [&](const ToolSpec& tool) {
     return tool.role == ToolRole::shoe && stages.moves(tool.name);
   });
-}
-
-/// Walls on at least three sides, of any tools together, or a period: powder there stays.
-bool held(const std::vector<PlanView>& views, const Scene& scene, const Eigen::Vector2d& place) {
-  std::array<bool, 4> walls = {};
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    if (scene.numerics.period[axis]) walls[2 * axis] = walls[2 * axis + 1] = true;
-  for (const PlanView& view : views) {
-    const auto beside = view.walls_beside(place);
-    for (std::size_t side = 0; side < 4; ++side) walls[side] = walls[side] || beside[side];
-  }
-  return std::count(walls.begin(), walls.end(), true) >= 3;
-}
-
-void find_spilt_pour(const Scene& scene, const Tooling& tooling, std::vector<SetupFinding>& findings) {
-  const PourSpec& pour = scene.pour;
-  const Eigen::Vector3d size = pour.upper - pour.lower;
-  if (!has_shoe(scene) || !(size.minCoeff() > 0)) return;
-  const double z = pour.lower.z() + 0.5 * std::min(size.z(), std::max(pour.fill_height, 0.0));
-  std::vector<PlanView> views;
-  for (const Tool& tool : tooling.tools) views.emplace_back(tool.mesh, z);
-  std::vector<Eigen::Vector3d> outside;
-  for (int j = 0; j < kCells; ++j)
-    for (int i = 0; i < kCells; ++i) {
-      const Eigen::Vector3d place =
-          pour.lower + size.cwiseProduct(Eigen::Vector3d((i + 0.487) / kCells, (j + 0.513) / kCells, 0));
-      if (!held(views, scene, place.head<2>())) outside.emplace_back(place.x(), place.y(), z);
-    }
-  const double share = static_cast<double>(outside.size()) / (kCells * kCells);
-  if (share <= kFewOutside) return;
-  const Eigen::Vector3d lower = 1e3 * pour.lower, upper = 1e3 * pour.upper;
-  char text[300];
-  std::snprintf(text, sizeof text,
-                "%.0f %% of the pour box (x %.4g to %.4g mm, y %.4g to %.4g mm) lies outside the shoe, where "
-                "no walls hold the powder: it will flow away; move the box into the shoe",
-                100 * share, lower.x(), upper.x(), lower.y(), upper.y());
-  findings.push_back({text, outside});
 }
 
 void find_misplaced_punch(const Tooling& tooling, std::vector<SetupFinding>& findings) {
@@ -142,16 +98,23 @@ void find_forced_collisions(const Scene& scene, const Tooling& tooling, std::vec
 
 std::vector<SetupFinding> setup_findings(const Scene& scene, const Tooling& tooling) {
   std::vector<SetupFinding> findings;
-  find_spilt_pour(scene, tooling, findings);
+  const auto add = [&](std::vector<SetupFinding> more) {
+    for (auto& finding : more) findings.push_back(std::move(finding));
+  };
+  refuse_unreachable_mass(scene, tooling);
+  add(pour_findings(scene, tooling));
+  add(shoe_floor_findings(scene, tooling));
   if (tooling.cavity.found) {
-    for (auto& finding : shoe_findings(scene, tooling)) findings.push_back(std::move(finding));
+    add(shoe_findings(scene, tooling));
+    add(table_findings(scene, tooling));
+    add(cavity_findings(scene, tooling));
     find_misplaced_punch(tooling, findings);
     find_little_powder(scene, tooling, findings);
   }
-  for (auto& finding : inflow_findings(scene, tooling)) findings.push_back(std::move(finding));
+  add(inflow_findings(scene, tooling));
   find_forced_collisions(scene, tooling, findings);
-  for (auto& finding : measure_findings(scene, tooling)) findings.push_back(std::move(finding));
-  for (auto& finding : suction_findings(scene)) findings.push_back(std::move(finding));
+  add(measure_findings(scene, tooling));
+  add(suction_findings(scene));
   if (std::string other = fitted_with_warning(scene); !other.empty())
     findings.push_back({std::move(other), {}});
   return findings;

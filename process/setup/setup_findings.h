@@ -1,6 +1,7 @@
-// Set-ups that can be computed but are probably mistakes: powder beside the shoe, a shoe above the die,
-// narrower than the cavity or never over it, a punch beside the die, too little powder, a zone beside all,
-// walls or stiffness other than those that the powder was fitted with.
+// Set-ups that can be computed but are probably mistakes: powder beside the shoe or above its rim, a shoe
+// above the die, narrower than the cavity, never over it, closed below or over the edge of the table, grains
+// too coarse for a cavity, a punch beside the die, too little powder, a zone beside all, walls or stiffness
+// other than those that the powder was fitted with.
 #pragma once
 
 #include <string>
@@ -16,8 +17,21 @@ struct SetupFinding {
   std::vector<Eigen::Vector3d> places;  ///< m, laboratory frame
 };
 
-/// All findings; none for most scenes.
+/// All findings; none for most scenes. Throws SceneError for steps that would never end (inflow_findings(),
+/// unreachable_mass.h).
 std::vector<SetupFinding> setup_findings(const Scene& scene, const Tooling& tooling);
+
+/// A pour box outside the shoe, and powder higher than the walls around it.
+std::vector<SetupFinding> pour_findings(const Scene& scene, const Tooling& tooling);
+
+/// Shoes whose bottom is closed below all powder. Steps must have been prepared.
+std::vector<SetupFinding> shoe_floor_findings(const Scene& scene, const Tooling& tooling);
+
+/// Cavities that the scene's grains cannot run into.
+std::vector<SetupFinding> cavity_findings(const Scene& scene, const Tooling& tooling);
+
+/// Motions that carry the shoe's opening over the edge of the table. Steps must have been prepared.
+std::vector<SetupFinding> table_findings(const Scene& scene, const Tooling& tooling);
 
 /// Findings about the shoe: too high above the die, misses part of the cavity, or is out of scale.
 std::vector<SetupFinding> shoe_findings(const Scene& scene, const Tooling& tooling);

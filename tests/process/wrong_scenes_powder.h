@@ -55,6 +55,12 @@ inline std::vector<WrongScene> wrong_powders() {
       spoil("custom_without_mass", "[powder]\n" + both,
             "@[powder]\nmodel = \"A\"\nsphere_radius = \"0.15 mm\"",
             {"powder.grain_mass", "found nothing", "\"0.0763 mg\""}),
+      spoil("clump_in_pieces", both,
+            "grain_mass = \"1e-7 kg\"\nspheres = @[{ centre = [\"0 mm\", \"0 mm\", \"0 mm\"], radius = \"0.1 "
+            "mm\" }, { centre = [\"1 mm\", \"0 mm\", \"0 mm\"], radius = \"0.1 mm\" }, { centre = [\"0.19 "
+            "mm\", \"0 mm\", \"0 mm\"], radius = \"0.1 mm\" }]",
+            {"powder.spheres", "sphere 2 is 0.61 mm away from sphere 3, the nearest of the others",
+             "let every sphere touch or overlap another one"}),
       spoil("custom_mass_in_wrong_unit", both,
             "model = \"A\"\nsphere_radius = \"0.15 mm\"\ngrain_mass = @\"76.3 mg\"",
             {"powder.grain_mass", "found \"76.3 mg\"", "5397.12 g/cm^3", "allowed: 0.1 to 25 g/cm^3",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct PowderDischarge {
   double longest = 0;  ///< t sqrt(g/D) - 1/5 up to which it was measured; the rate is constant beyond
   /// m, of the grains that feel its openings as they are; 1.4 times what others have more is taken off.
   double grain_diameter = 0;
+  /// Bond number up to which it was compared with flows; infinite where it is a fit to the powder itself.
+  double largest_bond = std::numeric_limits<double>::infinity();
+  std::string of_bond;               ///< which flows that were
   std::string source;                ///< of the numbers
   std::string applies;               ///< how well they fit this powder, as text
   std::string remark;                ///< what to beware of, one line; empty: nothing

@@ -73,7 +73,11 @@ std::string nothing_to_fill(const Estimate& estimate) {
                                       : "") +
            beyond_the_range(estimate);
   }
-  if (estimate.outlet) return "no shoe passes over an opening: " + outlet_text(estimate);
+  if (estimate.outlet) {
+    const std::string cohesion = too_cohesive(estimate);
+    return "no shoe passes over an opening: " + outlet_text(estimate) +
+           (cohesion.empty() ? "" : "; outside the range of the formula: " + cohesion);
+  }
   if (estimate.only_shaken)
     return "no shoe passes over an opening, and there is no formula for powder that is only shaken or "
            "stirred: simulate";
@@ -128,6 +132,9 @@ std::string fills_text(const Estimate& estimate, const OpeningEstimate& worst) {
 }  // namespace
 
 std::string answer_text(const Estimate& estimate) {
+  if (!estimate.is_estimated())
+    return (estimate.answer == Answer::shut ? "nothing runs in: " : "no estimate: ") +
+           joined(estimate.open_because);
   const OpeningEstimate* worst = emptiest(estimate);
   if (worst == nullptr) return nothing_to_fill(estimate);
   switch (estimate.answer) {
@@ -137,6 +144,8 @@ std::string answer_text(const Estimate& estimate) {
       return fills_text(estimate, *worst);
     case Answer::nothing_moves:
     case Answer::open:
+    case Answer::no_formula:
+    case Answer::shut:
       break;
   }
   return open_text(estimate, *worst);
@@ -150,7 +159,7 @@ std::vector<std::string> in_short(const Estimate& estimate) {
   if (estimate.answer == Answer::too_fast)
     lines.push_back("the estimate alone shows that " + name_of(estimate, *emptiest(estimate)) +
                     " does not fill" + error);
-  if (!estimate.powder.left_out.empty()) lines.push_back(powders_text(estimate));
+  if (estimate.is_estimated() && !estimate.powder.left_out.empty()) lines.push_back(powders_text(estimate));
   return lines;
 }
 

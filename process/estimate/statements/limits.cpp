@@ -53,6 +53,16 @@ std::string too_coarse(const Estimate& estimate, const OpeningEstimate& opening)
   return {};
 }
 
+std::string too_cohesive(const Estimate& estimate) {
+  if (estimate.bond <= kSlack * estimate.law.largest_bond) return {};
+  return results::formatted(
+             "the powder's Bond number, adhesion over weight, is %.3g, and its law was compared with flows "
+             "up to "
+             "%.3g (",
+             estimate.bond, estimate.law.largest_bond) +
+         estimate.law.of_bond + "), beyond which less runs in, or powder arches";
+}
+
 std::string doubts_of_law(const Estimate& estimate) {
   std::string text;
   for (const std::string& doubt : estimate.law.doubts)
@@ -65,6 +75,7 @@ std::vector<std::string> limits_passed(const Estimate& estimate) {
   if (estimate.powder.depth * kSlack < kShallowestPowder)
     passed.push_back(results::formatted("powder is %.3g mm deep in the shoe, at least %.3g mm",
                                         1e3 * estimate.powder.depth, 1e3 * kShallowestPowder));
+  if (const std::string cohesion = too_cohesive(estimate); !cohesion.empty()) passed.push_back(cohesion);
   for (const auto& opening : estimate.openings)
     if (!opening.offered.empty()) add_limits(estimate, opening, passed);
   return passed;

@@ -19,6 +19,9 @@ inline constexpr double kLargestFroude = 1 / continuum::kBurst;
 /// not.
 std::string too_coarse(const Estimate& estimate, const OpeningEstimate& opening);
 
+/// That grains stick together more than those that the discharge law was compared with; empty: they do not.
+std::string too_cohesive(const Estimate& estimate);
+
 /// Why the discharge law may be none of this powder, as its fit says; empty: it has no such remark.
 std::string doubts_of_law(const Estimate& estimate);
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "process/estimate/cohesion.h"
 #include "process/powder/material.h"
 
 namespace diefill::process::estimate {
@@ -12,8 +13,7 @@ void add_contact_numbers(const Scene& scene, std::vector<SceneNumber>& numbers) 
   const PowderSpec& powder = scene.powder;
   const double effective = powder.sphere_radius / 2;
   const double factor = coarse_graining_factor(powder);
-  const double weight = powder.grain_mass * scene.gravity.norm();
-  const double bond = 1.5 * M_PI * powder.work_of_adhesion * effective / weight;
+  const double bond = bond_number(scene);
   const double solid = mean_grain(scene).solid_volume / (factor * factor * factor);
   const double density = powder.grain_mass / solid;
   numbers.push_back({"Bond", "largest adhesion of two grains over a grain's weight, at the powder's own size",

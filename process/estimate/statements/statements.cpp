@@ -232,6 +232,11 @@ void add_air_statements(const Estimate& estimate, std::vector<Statement>& said) 
 
 std::vector<Statement> statements(const Estimate& estimate) {
   std::vector<Statement> said;
+  if (!estimate.is_estimated()) {
+    said.push_back({"answer", answer_text(estimate), "", "", ""});
+    add_cycle_statement(estimate, said);
+    return said;
+  }
   said.push_back({"answer", answer_text(estimate), kFormula, valid_text(estimate), error_text(estimate)});
   add_powders_statement(estimate, said);
   add_opening_statements(estimate, said);

@@ -59,6 +59,8 @@ std::string valid_text(const Estimate& estimate) {
       "at "
       "least %.3g mm deep in the shoe; grains up to %.2f of the width",
       kLargestFroude, 1e3 * kShallowestPowder, kCoarsestGrain);
+  if (std::isfinite(estimate.law.largest_bond))
+    text += results::formatted("; Bond numbers up to %.3g", estimate.law.largest_bond);
   if (std::isfinite(estimate.law.longest))
     text += results::formatted("; flow times up to %.3g sqrt(D/g), beyond them at a constant rate",
                                estimate.law.longest + 0.2);

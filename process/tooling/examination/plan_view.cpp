@@ -42,6 +42,17 @@ bool PlanView::solid(const Eigen::Vector2d& place) const {
   return inside;
 }
 
+double PlanView::distance(const Eigen::Vector2d& place) const {
+  double least = 1e300;
+  for (const Segment& segment : segments_) {
+    const Eigen::Vector2d along = segment.to - segment.from, off = place - segment.from;
+    const double length = along.squaredNorm();
+    const double part = length > 0 ? std::clamp(off.dot(along) / length, 0.0, 1.0) : 0;
+    least = std::min(least, (off - part * along).norm());
+  }
+  return least;
+}
+
 bool PlanView::holds(const Eigen::Vector2d& place) const {
   const auto walls = walls_beside(place);
   return std::all_of(walls.begin(), walls.end(), [](bool wall) { return wall; }) && !solid(place);

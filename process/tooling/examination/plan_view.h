@@ -19,6 +19,8 @@ class PlanView {
   std::array<bool, 4> walls_beside(const Eigen::Vector2d& place) const;
   /// Whether the place is inside the solid.
   bool solid(const Eigen::Vector2d& place) const;
+  /// m, from the place to the nearest wall; 1e300 where there is none.
+  double distance(const Eigen::Vector2d& place) const;
   /// Whether walls stand on all four sides of a place outside the solid.
   bool holds(const Eigen::Vector2d& place) const;
 

@@ -123,6 +123,7 @@ TEST_F(WrongPictures, WrongWordsAreExplainedInOneLine) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
       {{"--picture", "hystogram"}, "did you mean \"histogram\"?"},
       {{"--picture", "section", "--normal", "0,0,0"}, "three numbers not all 0"},
+      {{"--picture", "section", "--normal", "1e-320,0,0"}, "three numbers not all 0 and of sizes near 1"},
       {{"--picture", "view", "--camera", "behind"}, "azimuth and elevation"},
       {{"--picture", "difference", "--from", "9 s"}, "the results contain 2 from 0.1 s to 0.2 s"},
       {{"--picture", "displacement", "--from", "0.2 s", "--to", "0.1 s"}, "must come before"},

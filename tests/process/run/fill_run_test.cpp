@@ -148,5 +148,19 @@ TEST(FillRun, EndsWithTheWarningsOfAnUnbrokenRunAfterARestart) {
   EXPECT_EQ(broken.run_until(0.026)->warnings(), of_whole_run);
 }
 
+TEST(FillRun, ThatWaitsInVainEndsUnfinishedAndSaysForWhat) {
+  OnAPlate waiting("preset = \"ASC100.29 initial A\"\n", "",
+                   "[[step]]\nkind = \"settle\"\nuntil = { filled_mass = \"5 mg\" }\n");
+  const auto run = waiting.run_until(5);
+  EXPECT_TRUE(run->waits_in_vain());
+  EXPECT_TRUE(run->ended_early());
+  EXPECT_LT(run->simulation().time(), 4);
+  const std::string why = run->why_unfinished();
+  for (const char* part :
+       {"the scene cannot end: at t = ", "all powder is at rest, none comes in and no tool moves",
+        "step.until waits for ", " in the cavity, which holds 0 "})
+    EXPECT_NE(why.find(part), std::string::npos) << why;
+}
+
 }  // namespace
 }  // namespace diefill::process
