@@ -18,6 +18,7 @@
 #include "process/run/restart/checkpoint.h"
 #include "process/run/schedule.h"
 #include "process/run/snapshots.h"
+#include "process/run/standstill.h"
 #include "process/run/step_engine.h"
 #include "process/run/stray_watch.h"
 #include "process/scene/identity.h"
@@ -67,9 +68,9 @@ class FillRun {
   /// Interrupted when stopped by the user.
   void run();
   /// Whether the run ended before the scene: numerics.max_time was over, or the scene waits in vain.
-  bool ended_early() const { return !schedule_.finished() && (out_of_time() || waits_in_vain_); }
+  bool ended_early() const { return !schedule_.finished() && (out_of_time() || waits_in_vain()); }
   /// Whether the scene waits for what powder at rest will never do.
-  bool waits_in_vain() const { return waits_in_vain_; }
+  bool waits_in_vain() const { return standstill_.lasts(simulation_->time()); }
   /// Share of the simulated time that is over, 0 to 1, as far as can be predicted.
   double share_done() const;
   /// Why the scene is not over, for messages; empty once it is.
@@ -155,9 +156,7 @@ class FillRun {
   geometry::Box domain_;  ///< m, grains beyond it have been spilled or discharged
   std::vector<std::string> warnings_;
   std::vector<results::Instant> instants_;
-  RestWatch standstill_;        ///< since when the powder rests while the schedule waits for it
-  double standing_since_ = -1;  ///< s, since when it stays so; negative: it does not
-  bool waits_in_vain_ = false;
+  Standstill standstill_;
   GrainTally removed_, sheared_;
   std::uint64_t sphere_steps_ = 0;
   double earlier_wall_seconds_ = 0;

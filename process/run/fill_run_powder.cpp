@@ -37,7 +37,7 @@ void FillRun::count_out(std::size_t k) {
 void FillRun::feed_powder() {
   // Ids count all grains that ever were.
   const std::uint64_t before = grains_poured();
-  if (source_.feed(*simulation_, schedule_) > 0) standing_since_ = -1;
+  if (source_.feed(*simulation_, schedule_) > 0) standstill_.since = -1;
   const auto& grains = simulation_->grains();
   for (std::size_t k = 0; k < grains.size(); ++k)
     if (grains.id[k] >= before) probes_.count_removed(grains.position[k], simulation_->shape_of(k).mass, -1);

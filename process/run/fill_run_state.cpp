@@ -66,6 +66,7 @@ void FillRun::resume_from(const Checkpoint& checkpoint) {
   sheared_ = GrainTally(checkpoint.grains_sheared);
   leak_watch_.restore(checkpoint.leaks);
   stray_watch_.restore(checkpoint.strays);
+  standstill_ = checkpoint.standstill;
   monitor_.restore(checkpoint.warnings);
   earlier_wall_seconds_ = checkpoint.wall_seconds;
   sphere_steps_ = checkpoint.sphere_steps;
@@ -85,6 +86,7 @@ Checkpoint FillRun::checkpoint() const {
   checkpoint.grains_sheared = sheared_.by_kind();
   checkpoint.leaks = leak_watch_.state();
   checkpoint.strays = stray_watch_.state();
+  checkpoint.standstill = standstill_;
   checkpoint.warnings = monitor_.state();
   checkpoint.wall_seconds = wall_seconds();
   checkpoint.sphere_steps = sphere_steps_;
@@ -135,26 +137,21 @@ bool FillRun::out_of_time() const {
   return scene_.numerics.max_time > 0 && simulation_->time() > scene_.numerics.max_time;
 }
 
-/// Powder that has come to rest while no tool moves stays so. A checkpoint does not know since when it rests:
-/// a resumed run waits once more.
+/// Powder that has come to rest while no tool moves stays so.
 void FillRun::look_for_standstill() {
-  constexpr double kPatience = 0.2;  // s at rest
-  const double now = simulation_->time();
   if (!schedule_.waits_for_powder(*simulation_)) {
     standstill_ = {};
-    standing_since_ = -1;
     return;
   }
-  if (!standstill_.at_rest(*simulation_, grain_diameter_))
-    standing_since_ = -1;
-  else if (standing_since_ < 0)
-    standing_since_ = now;
-  waits_in_vain_ = standing_since_ >= 0 && now - standing_since_ >= kPatience;
+  if (!standstill_.rest.at_rest(*simulation_, grain_diameter_))
+    standstill_.since = -1;
+  else if (standstill_.since < 0)
+    standstill_.since = simulation_->time();
 }
 
 std::string FillRun::why_unfinished() const {
   if (schedule_.finished()) return {};
-  if (waits_in_vain_)
+  if (waits_in_vain())
     return "the scene cannot end: at t = " + number_text(simulation_->time()) +
            " s all powder is at rest, none comes in and no tool moves, but " +
            schedule_.unmet_condition(*simulation_);

@@ -14,7 +14,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '2', '0'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '2', '1'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   engine::Fnv1a hash;
@@ -47,6 +47,8 @@ void transfer(Io& io, Contents& checkpoint) {
   io(checkpoint.strays.tool);
   io(checkpoint.strays.place);
   io(checkpoint.strays.time);
+  io(checkpoint.standstill.rest);
+  io(checkpoint.standstill.since);
   transfer_warnings(io, checkpoint.warnings);
   io(checkpoint.wall_seconds);
   io(checkpoint.sphere_steps);

@@ -14,6 +14,7 @@
 #include "process/run/probes.h"
 #include "process/run/schedule.h"
 #include "process/run/snapshots.h"
+#include "process/run/standstill.h"
 #include "process/run/stray_watch.h"
 
 namespace diefill::process {
@@ -31,6 +32,7 @@ struct Checkpoint {
   std::vector<std::uint64_t> grains_removed, grains_sheared;
   LeakState leaks;                         ///< of grains that left beneath the cavity
   StrayState strays;                       ///< grains that came into tools where no walls are
+  Standstill standstill;                   ///< powder at rest while the scene waits
   engine::ValidityWarnings warnings;       ///< of the method's limits, so far
   double wall_seconds = 0;                 ///< s of computing so far, over all sittings
   std::uint64_t sphere_steps = 0;          ///< spheres times steps so far

@@ -327,7 +327,7 @@ TEST_F(CheckpointFile, OfTheLayoutBeforeIsRefusedInWords) {
   const auto file = checkpoint_file(folder_.path());
   write_checkpoint(file, {});
   std::string bytes = support::contents(file);
-  ASSERT_EQ(bytes.substr(0, 8), "dfchkp20");
+  ASSERT_EQ(bytes.substr(0, 8), "dfchkp21");
   folder_.write(file.filename().string(), bytes.replace(7, 1, "8"));
   try {
     read_checkpoint(file);

@@ -162,5 +162,16 @@ TEST(FillRun, ThatWaitsInVainEndsUnfinishedAndSaysForWhat) {
     EXPECT_NE(why.find(part), std::string::npos) << why;
 }
 
+TEST(FillRun, ThatWaitsInVainEndsAtTheSameInstantAfterARestart) {
+  const std::string powder = "preset = \"ASC100.29 initial A\"\n",
+                    steps = "[[step]]\nkind = \"settle\"\nuntil = { filled_mass = \"5 mg\" }\n";
+  OnAPlate unbroken(powder, "", steps), broken(powder, "", steps);
+  const double end = unbroken.run_until(5)->simulation().time();
+  EXPECT_FALSE(broken.run_until(end - 0.1)->waits_in_vain());
+  const auto rest = broken.run_until(5);
+  EXPECT_TRUE(rest->waits_in_vain());
+  EXPECT_EQ(rest->simulation().time(), end);
+}
+
 }  // namespace
 }  // namespace diefill::process
