@@ -303,10 +303,10 @@ void export_density(const results::FillResult& whole, const DensityOptions& opti
   if (result.solid_fraction.solid_fraction.size() != result.powder.position.size() ||
       std::find(result.solid_fraction.open.begin(), result.solid_fraction.open.end(), 0) ==
           result.solid_fraction.open.end())
-    throw process::SceneError(
-        std::string(options.mesh.empty() ? "--density-grid" : "--density-for") +
-        ": the result holds no measured solid fraction, as where its cavity took no powder or the run did not "
-        "end; run the scene to its end");
+    throw process::SceneError(std::string(options.mesh.empty() ? "--density-grid" : "--density-for") +
+                              ": the result holds no measured solid fraction, as where its cavity took no "
+                              "powder or the run did not "
+                              "end; run the scene to its end");
   std::optional<process::DensityGrid> grid;
   if (spacing) grid = grid_of(result, options, *spacing, averaging_width);
   Files written;
