@@ -98,7 +98,7 @@ TEST_F(CompareWithMeasured, PositionsAlongTheTravelOfTheShoeAreDistancesOnIt) {
 
 TEST_F(CompareWithMeasured, TheTableThatAComparisonLeavesIsMeasuredDataAgain) {
   const std::string head = "azimuth [deg], fill level [mm]";
-  for (const std::string csv :
+  for (const std::string& csv :
        {head + "\n45, 9.45\n135, 10.35\n", head + ", deviation [mm]\n45, 9.45, 0.3\n135, 10.35, 0.4\n"}) {
     const auto first = against(csv);
     results::write_measured_comparison(folder_.path(), first);
