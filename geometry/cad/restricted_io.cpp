@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <stdexcept>
 #include <string_view>
 
 #include "geometry/cad/amf_document.h"
@@ -102,7 +103,13 @@ std::string RestrictedIo::bytes_of_main() const {
 
 Assimp::IOStream* RestrictedIo::Open(const char* name, const char* mode) {
   if (name == file_.string()) {
-    const std::string bytes = bytes_of_main();
+    std::string bytes;
+    try {
+      bytes = bytes_of_main();
+    } catch (const std::runtime_error& error) {  // whose words assimp would lose
+      if (refused_.empty()) refused_ = error.what();
+      return nullptr;
+    }
     auto* const copy = new std::uint8_t[bytes.size()];
     std::copy(bytes.begin(), bytes.end(), copy);
     return new Assimp::MemoryIOStream(copy, bytes.size(), true);

@@ -18,7 +18,7 @@ class RestrictedIo : public Assimp::DefaultIOSystem {
   bool Exists(const char* name) const override;
   Assimp::IOStream* Open(const char* name, const char* mode) override;
 
-  /// Why the first file that was needed is not given; empty where all were.
+  /// Why the first file that was needed is not given, the CAD file itself too; empty where all were.
   const std::string& refused() const { return refused_; }
 
  private:

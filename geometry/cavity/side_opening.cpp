@@ -95,19 +95,21 @@ class RisingWater {
   std::vector<std::vector<Eigen::Vector3i>> front_;  ///< voxels by that layer
 };
 
-/// m, the top of the solids below a voxel; its lower side where there is none.
+/// m, the top of the solids that end just below the middle of a voxel; minus infinity where none does.
 double floor_below(const VoxelGrid& grid, const Eigen::Vector3i& voxel,
                    const std::vector<const Mesh*>& solids) {
   VoxelGrid column = grid;
   column.origin.head<2>() += grid.edge * voxel.head<2>().cast<double>();
   column.counts.head<2>().setOnes();
   const double middle = grid.centre(voxel).z();
-  double floor = middle - grid.edge / 2;
+  double floor = -std::numeric_limits<double>::infinity();
   LineCrossings crossings;
-  for (const Mesh* solid : solids)
-    for (const auto& row : SolidRows(*solid, column, 2, crossings).rows())
+  for (const Mesh* solid : solids) {
+    const SolidRows rows(*solid, column, 2, crossings);
+    for (const auto& row : rows.rows())
       if (row.span.end <= middle && row.span.end > middle - 1.5 * grid.edge)
         floor = std::max(floor, row.span.end);
+  }
   return floor;
 }
 
@@ -145,7 +147,7 @@ std::optional<SideOpening> find_side_opening(const std::vector<const Mesh*>& sol
   if (volume < kSmallestShare * space.size().prod()) return std::nullopt;
   const auto level = static_cast<int>(largest - pools.begin());
   SideOpening opening = opening_of(grid, water.way_out(largest->front()), level, space, solids);
-  if (!std::isfinite(opening.height)) return std::nullopt;
+  if (!std::isfinite(opening.height)) opening.height = grid.origin.z() + level * grid.edge;
   opening.volume = volume;
   return opening;
 }
