@@ -1,5 +1,6 @@
 #include "process/estimate/no_estimate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

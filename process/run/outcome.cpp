@@ -54,7 +54,8 @@ void warn_about_unfilled_cavity(const Scene& scene, const results::FillResult& r
   const double guess = figure(result, "cavity_solid_fraction") / expected;
   if (guess < kUnfilled)
     lines.push_back(kAlert +
-                    results::formatted("the cavity is roughly %.0f %% full, by the solid fraction of %.2f "
+                    results::formatted("the cavity contains roughly %.0f %% of the powder that would fill "
+                                       "it, by the solid fraction of %.2f "
                                        "that settled powder is expected to have; the fill ratio itself "
                                        "is unknown, as too little powder lies outside to compare with",
                                        100 * guess, expected));

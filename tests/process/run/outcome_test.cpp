@@ -66,7 +66,9 @@ TEST(Outcome, OfAnUnknownFillRatioSaysWhatTheShareRestsOn) {
   auto result = with_grains_in_cavity(60, 0.1);
   auto lines = outcome_text(scene, result);
   ASSERT_EQ(lines.size(), 1u);
-  EXPECT_NE(lines[0].find("roughly 25 % full, by the solid fraction of 0.40"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[0].find("roughly 25 % of the powder that would fill it, by the solid fraction of 0.40"),
+            std::string::npos)
+      << lines[0];
   EXPECT_NE(lines[0].find("the fill ratio itself is unknown"), std::string::npos) << lines[0];
   result.figures["fill_ratio"] = 0.31;
   lines = outcome_text(scene, result);
