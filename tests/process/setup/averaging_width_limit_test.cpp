@@ -47,8 +47,12 @@ TEST(AveragingWidthLimit, IsTheLargestEdgeOfTheCavity) {
 }
 
 TEST(AveragingWidthLimit, IsThatOfToolsAndPowderWhereThereIsNoCavity) {
-  EXPECT_EQ(refused(scene_with_width("40 mm"), block(false)), "");
-  EXPECT_NE(refused(scene_with_width("99 mm"), block(false)).find("tools and powder"), std::string::npos);
+  Scene scene = scene_with_width("60 mm");
+  EXPECT_EQ(refused(scene, block(false)), "");  // the pour box reaches as far
+  scene.pour.upper = scene.pour.lower;
+  EXPECT_NE(refused(scene, block(false)).find("allowed: at most 40 mm, the largest edge of the box about"),
+            std::string::npos)
+      << refused(scene, block(false));
 }
 
 TEST(AveragingWidthLimit, ScenesWithoutAWidthHaveTheDefault) {
