@@ -133,10 +133,14 @@ std::string unit_that_fits(const MeshSize& mesh, double metres, const MeshSize& 
 
 /// Throws where the mesh has many times the volume of the powder, and just that of it in another unit. A mesh
 /// with tools in it may be large, but is in no unit as large as the powder alone.
-void refuse_wrong_unit(const results::FillResult& result, const results::SolidMesh& mesh, double volume,
+void refuse_wrong_unit(const results::FillResult& result, const results::SolidMesh& mesh,
                        const DensityOptions& options) {
   constexpr double kDoubtful = 5;
   const double expected = options.mesh_share * result.cavity.volume;
+  double volume = 0;
+  for (const auto& element : mesh.elements)
+    for (const auto& part : results::tetrahedra_of(mesh, element))
+      volume += std::abs(results::signed_volume(part));
   if (!(expected > 0 && volume > kDoubtful * expected)) return;
   Eigen::Vector3d lower = mesh.nodes.front(), upper = lower;
   for (const auto& node : mesh.nodes) lower = lower.cwiseMin(node), upper = upper.cwiseMax(node);
@@ -199,8 +203,8 @@ using Files = std::vector<std::filesystem::path>;
 void write_mesh_density(const results::FillResult& result, const DensityOptions& options,
                         double averaging_width, const std::filesystem::path& out, Files& written) {
   const results::SolidMesh mesh = read_mesh(options);
+  refuse_wrong_unit(result, mesh, options);
   const auto density = density_of(result, mesh, options, averaging_width, cavity_mass(result, options));
-  refuse_wrong_unit(result, mesh, density.total_volume, options);
   make_output_directory(out);
   print_density(result, mesh, density, options);
   const std::string stem = process::file_stem(options.mesh);
