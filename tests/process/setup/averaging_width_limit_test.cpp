@@ -17,7 +17,7 @@ Scene scene_with_width(const std::string& width) {
 }
 
 /// A block 40 x 40 x 25 mm in size, whose cavity, where it has one, is 8 x 6 x 12 mm in size.
-Tooling block(bool with_cavity) {
+Tooling tools_of_a_block(bool with_cavity) {
   Tooling tooling;
   tooling.all.include(Eigen::Vector3d(-0.02, -0.02, -0.025));
   tooling.all.include(Eigen::Vector3d(0.02, 0.02, 0));
@@ -37,8 +37,8 @@ std::string refused(const Scene& scene, const Tooling& tooling) {
 }
 
 TEST(AveragingWidthLimit, IsTheLargestEdgeOfTheCavity) {
-  EXPECT_EQ(refused(scene_with_width("12 mm"), block(true)), "");
-  const std::string message = refused(scene_with_width("12.1 mm"), block(true));
+  EXPECT_EQ(refused(scene_with_width("12 mm"), tools_of_a_block(true)), "");
+  const std::string message = refused(scene_with_width("12.1 mm"), tools_of_a_block(true));
   EXPECT_NE(message.find("scene.toml:"), std::string::npos) << message;
   EXPECT_NE(message.find(": measure.averaging_width: found 12.1 mm, allowed: at most 12 mm, the largest edge "
                          "of the cavity"),
@@ -48,16 +48,17 @@ TEST(AveragingWidthLimit, IsTheLargestEdgeOfTheCavity) {
 
 TEST(AveragingWidthLimit, IsThatOfToolsAndPowderWhereThereIsNoCavity) {
   Scene scene = scene_with_width("60 mm");
-  EXPECT_EQ(refused(scene, block(false)), "");  // the pour box reaches as far
+  EXPECT_EQ(refused(scene, tools_of_a_block(false)), "");  // the pour box reaches as far
   scene.pour.upper = scene.pour.lower;
-  EXPECT_NE(refused(scene, block(false)).find("allowed: at most 40 mm, the largest edge of the box about"),
+  EXPECT_NE(refused(scene, tools_of_a_block(false))
+                .find("allowed: at most 40 mm, the largest edge of the box about"),
             std::string::npos)
-      << refused(scene, block(false));
+      << refused(scene, tools_of_a_block(false));
 }
 
 TEST(AveragingWidthLimit, ScenesWithoutAWidthHaveTheDefault) {
   const SceneFolder folder;
-  EXPECT_EQ(refused(read_scene(folder.write(faultless_scene())), block(true)), "");
+  EXPECT_EQ(refused(read_scene(folder.write(faultless_scene())), tools_of_a_block(true)), "");
 }
 
 }  // namespace
