@@ -140,8 +140,10 @@ std::string amf_document(const std::filesystem::path& file) {
   std::string text = read_cad_file(file);
   if (is_zip_archive(text)) {
     bool found = false;
-    visit_archive(file, ".amf", [&](std::string unpacked) {
-      text = std::move(unpacked);
+    visit_archive(file, ".amf", [&](UnpackedFile unpacked) {
+      if (!unpacked.is_whole)
+        throw std::runtime_error("its ZIP archive is damaged, or packed in a way that is not read");
+      text = std::move(unpacked.text);
       found = true;
       return false;
     });

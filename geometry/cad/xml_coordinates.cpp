@@ -44,8 +44,8 @@ void check_amf_coordinates(std::string_view document) {
 }
 
 void check_3mf_coordinates(const std::filesystem::path& file) {
-  visit_archive(file, ".model", [](std::string model) {
-    check_vertex_attributes(without_comments(std::move(model)));
+  visit_archive(file, ".model", [](UnpackedFile model) {
+    check_vertex_attributes(without_comments(std::move(model.text)));
     return true;
   });
 }

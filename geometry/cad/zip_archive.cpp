@@ -21,19 +21,18 @@ struct CloseArchive {
 };
 
 /// The file of the archive that is reached.
-std::string unpacked(unzFile archive) {
-  std::string text;
-  if (unzOpenCurrentFile(archive) != UNZ_OK)
-    throw std::runtime_error("its ZIP archive is packed in a way that cannot be unpacked");
+UnpackedFile unpacked(unzFile archive) {
+  UnpackedFile file;
+  if (unzOpenCurrentFile(archive) != UNZ_OK) return file;
   std::vector<char> piece(kPiece);
   int got = 0;
   while ((got = unzReadCurrentFile(archive, piece.data(), static_cast<unsigned>(piece.size()))) > 0) {
-    text.append(piece.data(), static_cast<std::size_t>(got));
-    if (text.size() > kMostBytes) throw std::runtime_error("its ZIP archive unpacks to more than 1024 MiB");
+    file.text.append(piece.data(), static_cast<std::size_t>(got));
+    if (file.text.size() > kMostBytes)
+      throw std::runtime_error("its ZIP archive unpacks to more than 1024 MiB");
   }
-  const bool is_whole = unzCloseCurrentFile(archive) == UNZ_OK;
-  if (got < 0 || !is_whole) throw std::runtime_error("its ZIP archive is damaged");
-  return text;
+  file.is_whole = unzCloseCurrentFile(archive) == UNZ_OK && got == 0;
+  return file;
 }
 
 /// In lower case.
@@ -54,7 +53,7 @@ bool is_zip_archive(std::string_view bytes) {
 }
 
 void visit_archive(const std::filesystem::path& archive, std::string_view ending,
-                   const std::function<bool(std::string)>& look) {
+                   const std::function<bool(UnpackedFile)>& look) {
   const std::unique_ptr<void, CloseArchive> opened(unzOpen(archive.c_str()));
   if (!opened) return;
   for (int found = unzGoToFirstFile(opened.get()); found == UNZ_OK; found = unzGoToNextFile(opened.get()))

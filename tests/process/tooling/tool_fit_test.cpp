@@ -78,7 +78,7 @@ TEST(ToolFit, ARadiusThatIsTooLargeForAToolIsToldByItsKey) {
   expect_says(
       message,
       "scene.toml:8: tool \"die\": walls.sphere_radius is 10 mm, allowed for this tool: 0.001 mm to 4.15 "
-      "mm, a quarter of its longest side; the tool measures 16.60 x 16.60 x 16.60 mm");
+      "mm, a quarter of its longest side; the tool measures 16.6 x 16.6 x 16.6 mm");
   EXPECT_EQ(message.find("length_unit"), std::string::npos) << message;
   expect_says(complaint_of_radius(0.0166, {0.005, "its sphere_radius"}),
               "its sphere_radius is 5 mm, allowed");
