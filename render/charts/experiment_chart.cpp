@@ -1,11 +1,23 @@
 #include "render/charts/experiment_chart.h"
 
+#include <limits>
+
 namespace diefill::render {
 
 namespace {
 
 ChartAxis axis_of(const results::ExperimentAxis& axis) {
   return {.label = axis.label, .lower = axis.lower, .upper = axis.upper, .logarithmic = axis.logarithmic};
+}
+
+/// An axis that is to begin at 0 begins with the values instead where some are negative: no point is cut off.
+ChartAxis value_axis_of(const results::ExperimentChart& chart) {
+  ChartAxis axis = axis_of(chart.y);
+  if (axis.lower != 0) return axis;
+  for (const auto& series : chart.series)
+    for (const double value : series.y)
+      if (value < 0) axis.lower = std::numeric_limits<double>::quiet_NaN();
+  return axis;
 }
 
 CurveStyle style_of(results::ExperimentSeries::Role role) {
@@ -34,7 +46,7 @@ Chart chart_of(const results::ExperimentChart& chart) {
   drawn.subtitle = chart.subtitle;
   drawn.note = chart.note;
   drawn.x = axis_of(chart.x);
-  drawn.y = axis_of(chart.y);
+  drawn.y = value_axis_of(chart);
   for (const auto& series : chart.series) drawn.curves.push_back(curve_of(series));
   return drawn;
 }

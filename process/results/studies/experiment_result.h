@@ -27,7 +27,8 @@ struct ExperimentSeries {
 struct ExperimentAxis {
   std::string label;  ///< with unit
   bool logarithmic = false;
-  double lower = std::numeric_limits<double>::quiet_NaN();  ///< NaN: from the data
+  double lower =
+      std::numeric_limits<double>::quiet_NaN();  ///< NaN: from the data; so is 0 below negative ones
   double upper = std::numeric_limits<double>::quiet_NaN();
 };
 
