@@ -134,6 +134,16 @@ geometry::Box swept_by(const std::vector<TimedPose>& poses, const std::vector<Ei
   return box;
 }
 
+/// Sets which of the places beyond the table is farthest from it.
+void find_farthest(const Table& table, Beyond& beyond) {
+  for (const auto& place : beyond.places)
+    if (const double far = table.distance(place.head<2>()); far > beyond.distance) {
+      beyond.distance = far;
+      beyond.farthest = place.head<2>();
+    }
+}
+
+/// Where most of the opening is beyond the table, and of these times when it is farthest.
 Beyond farthest_beyond(const Table& table, const std::vector<TimedPose>& poses,
                        const std::vector<Eigen::Vector2d>& places, double z) {
   Beyond most;
@@ -143,13 +153,10 @@ Beyond farthest_beyond(const Table& table, const std::vector<TimedPose>& poses,
       if (const Eigen::Vector2d at = moved(seen.pose, place); !table.contains(at))
         beyond.places.emplace_back(at.x(), at.y(), z);
     beyond.share = static_cast<double>(beyond.places.size()) / static_cast<double>(places.size());
-    if (beyond.share > most.share) most = beyond;
+    if (beyond.places.empty() || beyond.share < most.share) continue;
+    find_farthest(table, beyond);
+    if (beyond.share > most.share || beyond.distance > most.distance) most = beyond;
   }
-  for (const auto& place : most.places)
-    if (const double far = table.distance(place.head<2>()); far > most.distance) {
-      most.distance = far;
-      most.farthest = place.head<2>();
-    }
   return most;
 }
 

@@ -206,8 +206,7 @@ std::string lifted_out(const Standing& standing) {
     if (box.lower.z() < top - kFit || !meet(box, hole.box, 0)) continue;
     return results::formatted(
         "%s \"%s\" stands above the die: it is at %s, its lower end %.4g mm above the top of the die at z = "
-        "%.4g "
-        "mm; lower it into the hole, by its position or by a step before this one%s",
+        "%.4g mm; lower it into the hole, by its position or by a step before this one%s",
         is_punch ? "punch" : "core", spec.name.c_str(), in_z(box).c_str(),
         1e3 * std::max(0.0, box.lower.z() - top), 1e3 * top,
         is_punch ? ", so that its top is the floor of the cavity" : "");
@@ -240,8 +239,7 @@ std::string open_at_side(const Standing& standing) {
   return results::formatted(
       "the space that the tools close from below is open at the side near x = %.4g mm, y = %.4g mm, from z = "
       "%.4g mm up, below the fill plane at z = %.4g mm: powder would flow out there; close it in CAD, or add "
-      "the "
-      "tool that closes it",
+      "the tool that closes it",
       1e3 * opening->place.x(), 1e3 * opening->place.y(), 1e3 * opening->height,
       1e3 * standing.tooling.fill_plane);
 }
@@ -271,7 +269,7 @@ std::string why_no_cavity(const Scene& scene, const Tooling& tooling, const std:
   using Reason = std::string (*)(const Standing&);
   for (const Reason reason :
        {Reason(wrong_fill_plane), Reason(wrong_unit), Reason(lifted_out), Reason(filled_by_punch),
-        Reason(turned), Reason(open_at_side), Reason(nothing_below)}) {
+        Reason(open_at_side), Reason(turned), Reason(nothing_below)}) {
     const std::string words = reason(standing);
     if (!words.empty()) return words;
   }

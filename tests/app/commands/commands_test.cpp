@@ -181,7 +181,7 @@ TEST(Map, DrawsOtherSectionsAndAveragingFromResultsAlone) {
 TEST(Map, RedrawsWithTheWidthOfTheRun) {
   const SmallDie die;
   die.exchange("velocity = \"0.1 m/s\"", "velocity = \"0.2 m/s\"");
-  die.exchange("[numerics]", "[measure]\naveraging_width = \"0.8 mm\"\n\n[numerics]");
+  die.exchange("[measure]\n", "[measure]\naveraging_width = \"0.8 mm\"\n");
   ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
   const auto again = die.folder() / "again", finer = die.folder() / "finer";
   ASSERT_EQ(run_program({"map", die.out().string(), "--out", again.string()}).exit_code, 0);
@@ -204,7 +204,7 @@ TEST(Map, TheViewHasTheColoursOfTheRunsOwnPictures) {
 
 TEST(Check, RefusesAnAveragingWidthBeyondTheCavity) {
   const SmallDie die;
-  die.exchange("[numerics]", "[measure]\naveraging_width = \"100 mm\"\n\n[numerics]");
+  die.exchange("[measure]\n", "[measure]\naveraging_width = \"100 mm\"\n");
   const Outcome outcome = die.check();
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;

@@ -115,10 +115,11 @@ TEST(ExportDensity, OfARunConservesItsMassAndNamesElementsOutside) {
   refused({"--density-grid", "0.001 mm"}, "20 million cells");
 }
 
-// One layer of powder: no grain is enclosed by others.
+// One layer of powder in a shoe that stands: no grain is enclosed by others.
 TEST(ExportDensity, WithoutASolidFractionTheOptionThatIsGivenIsNamed) {
   const SmallDie die;
   die.exchange("fill_height = \"5 mm\"", "fill_height = \"1 mm\"");
+  die.exchange_passage("[[step]]\nkind = \"wait\"\nduration = \"10 ms\"\n");
   ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 0);
   const auto refused = [&](const std::string& size, const std::string& expected) {
     const Outcome outcome = run_program({"export", die.out().string(), "--density-grid", size});

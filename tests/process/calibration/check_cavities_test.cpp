@@ -82,8 +82,8 @@ TEST(FieldsOfMeasurements, OfAnotherShapeOfCavityAreRefusedBeforeAnythingRuns) {
          "only rings have a fill level over azimuth, and the cavity is none; allowed: places over distance "
          "along the shoe's travel");
   expect(message_of_profile("ring_6mm.toml", "fill level", "\"1 mm\", \"3 mm\""),
-         "only cavities that are no ring have a fill level over distance along the shoe's travel, and the "
-         "cavity is a ring; allowed: places over azimuth");
+         "only cavities that are no ring have a fill level over distance along the shoe's travel, x and y, "
+         "and the cavity is a ring; allowed: places over azimuth");
   const std::string map = message_of_map("square.toml", "azimuth [deg], height [mm]");
   expect(map, "map.csv:1:1:");
   expect(map, "only rings have a solid fraction over azimuth and height");
