@@ -38,9 +38,9 @@ std::string instant_name(int number) {
   return "passing " + std::to_string(number);
 }
 
-/// Snapshots while the shoe's middle half is over the slit.
+/// Snapshots at rest and while the shoe's middle half is over the slit; they replace those of the scene file.
 std::string instants_of(const SlitPassage& passage) {
-  std::string set;
+  std::string set = "[[snapshot]]\nname = \"settled\"\nwhen = { after = \"settling\" }\n";
   for (int k = 0; k < kInstants; ++k) {
     const double way = kInside * (-0.25 + 0.5 * k / (kInstants - 1.0));
     set += "[[snapshot]]\nname = \"" + instant_name(k) + "\"\nwhen = { with = \"passage\", delay = \"" +
