@@ -102,8 +102,8 @@ void note_expected_errors(const process::Scene& scene, const process::Tooling& t
 int unfinished(const process::FillRun& fill) {
   std::fprintf(stderr, "diefill: %s: results cover the simulated time only; %s\n",
                fill.why_unfinished().c_str(),
-               fill.waits_in_vain() ? "wait for less, or give the step another end, and run again"
-                                    : "raise max_time and run the same command with --resume to continue");
+               fill.cannot_end() ? "wait for less, or give the step another end, and run again"
+                                 : "raise max_time and run the same command with --resume to continue");
   return kUnfinished;
 }
 

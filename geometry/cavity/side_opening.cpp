@@ -26,10 +26,11 @@ VoxelGrid grid_over(const Box& space) {
   return grid;
 }
 
-/// Free space filled as water fills it that rises all round the solids, layer by layer.
-class RisingWater {
+/// Priority flood of the free space (Barnes, Lehman and Mulla 2014): every voxel with the lowest layer to
+/// which a fill from all round the solids has to rise before it reaches the voxel.
+class PriorityFlood {
  public:
-  RisingWater(const VoxelGrid& grid, const std::vector<std::uint8_t>& blocked)
+  PriorityFlood(const VoxelGrid& grid, const std::vector<std::uint8_t>& blocked)
       : grid_(grid),
         blocked_(blocked),
         level_(grid.size(), kDry),
@@ -44,18 +45,18 @@ class RisingWater {
         spread(front_[level][next], static_cast<int>(level));
   }
 
-  /// Of the voxels that water reaches from above, by the layer it has to rise to.
-  std::vector<std::vector<Eigen::Vector3i>> pools() const {
-    std::vector<std::vector<Eigen::Vector3i>> pools(front_.size());
+  /// Voxels below the layer over which the fill reaches them, by that layer.
+  std::vector<std::vector<Eigen::Vector3i>> depressions() const {
+    std::vector<std::vector<Eigen::Vector3i>> depressions(front_.size());
     for (const auto& wet_at_once : front_)
       for (const Eigen::Vector3i& voxel : wet_at_once) {
         const int level = level_[at(voxel)];
-        if (level > voxel.z()) pools[static_cast<std::size_t>(level)].push_back(voxel);
+        if (level > voxel.z()) depressions[static_cast<std::size_t>(level)].push_back(voxel);
       }
-    return pools;
+    return depressions;
   }
 
-  /// The way that water came to a voxel, from it outwards.
+  /// The way by which the fill came to a voxel, from it outwards.
   std::vector<Eigen::Vector3i> way_out(Eigen::Vector3i voxel) const {
     std::vector<Eigen::Vector3i> way = {voxel};
     while (from_[at(voxel)] != voxel) way.push_back(voxel = from_[at(voxel)]);
@@ -90,8 +91,8 @@ class RisingWater {
 
   const VoxelGrid& grid_;
   const std::vector<std::uint8_t>& blocked_;
-  std::vector<int> level_;                           ///< layer of the water when it reaches the voxel
-  std::vector<Eigen::Vector3i> from_;                ///< the voxel that it came from
+  std::vector<int> level_;             ///< layer to which the fill has risen when it reaches the voxel
+  std::vector<Eigen::Vector3i> from_;  ///< the voxel that it came from
   std::vector<std::vector<Eigen::Vector3i>> front_;  ///< voxels by that layer
 };
 
@@ -138,15 +139,15 @@ std::optional<SideOpening> find_side_opening(const std::vector<const Mesh*>& sol
   const VoxelGrid grid = grid_over(space);
   auto blocked = blocked_voxels(grid, solids, kLargestFit);
   close_short_stretches(grid, kLargestFit, blocked);
-  const RisingWater water(grid, blocked);
-  const auto pools = water.pools();
-  const auto largest = std::max_element(pools.begin(), pools.end(), [](const auto& one, const auto& other) {
-    return one.size() < other.size();
-  });
+  const PriorityFlood flood(grid, blocked);
+  const auto depressions = flood.depressions();
+  const auto largest =
+      std::max_element(depressions.begin(), depressions.end(),
+                       [](const auto& one, const auto& other) { return one.size() < other.size(); });
   const double volume = static_cast<double>(largest->size()) * std::pow(grid.edge, 3);
   if (volume < kSmallestShare * space.size().prod()) return std::nullopt;
-  const auto level = static_cast<int>(largest - pools.begin());
-  SideOpening opening = opening_of(grid, water.way_out(largest->front()), level, space, solids);
+  const auto level = static_cast<int>(largest - depressions.begin());
+  SideOpening opening = opening_of(grid, flood.way_out(largest->front()), level, space, solids);
   if (!std::isfinite(opening.height)) opening.height = grid.origin.z() + level * grid.edge;
   opening.volume = volume;
   return opening;

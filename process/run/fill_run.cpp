@@ -84,7 +84,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
 void FillRun::run() {
   start_or_resume();
   ForcedToolWatch forced_tools(scene_, tooling_);
-  while (!schedule_.finished() && !(at_sync_step() && (out_of_time() || waits_in_vain()))) {
+  while (!schedule_.finished() && !(at_sync_step() && (out_of_time() || cannot_end()))) {
     free_tools_.before_step(*simulation_);
     make_step();
     free_tools_.after_step(*simulation_);

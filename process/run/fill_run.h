@@ -67,10 +67,10 @@ class FillRun {
   /// another scene, engine::OutOfRange when the method's range is left (the last good checkpoint stands),
   /// Interrupted when stopped by the user.
   void run();
-  /// Whether the run ended before the scene: numerics.max_time was over, or the scene waits in vain.
-  bool ended_early() const { return !schedule_.finished() && (out_of_time() || waits_in_vain()); }
+  /// Whether the run ended before the scene: numerics.max_time was over, or the scene cannot end.
+  bool ended_early() const { return !schedule_.finished() && (out_of_time() || cannot_end()); }
   /// Whether the scene waits for what powder at rest will never do.
-  bool waits_in_vain() const { return standstill_.lasts(simulation_->time()); }
+  bool cannot_end() const { return standstill_.lasts(simulation_->time()); }
   /// Share of the simulated time that is over, 0 to 1, as far as can be predicted.
   double share_done() const;
   /// Why the scene is not over, for messages; empty once it is.

@@ -151,7 +151,7 @@ void FillRun::look_for_standstill() {
 
 std::string FillRun::why_unfinished() const {
   if (schedule_.finished()) return {};
-  if (waits_in_vain())
+  if (cannot_end())
     return "the scene cannot end: at t = " + number_text(simulation_->time()) +
            " s all powder is at rest, none comes in and no tool moves, but " +
            schedule_.unmet_condition(*simulation_);

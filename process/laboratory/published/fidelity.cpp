@@ -129,7 +129,7 @@ std::string text_of(const Section& section) {
   std::string text = "\n## " + section.title + "\n";
   for (const std::string& name : section.experiments) {
     const SceneExperiment* experiment = scene_experiment(name);
-    text += "`diefill lab " + name + (experiment == nullptr ? "`" : "`: " + experiment->question) + "  \n";
+    text += "- `diefill lab " + name + (experiment == nullptr ? "`" : "`: " + experiment->question) + "\n";
   }
   return text + (section.experiments.empty() ? "" : "\n") +
          "| id | quantity | published (agrees) | here | verdict | d, mm | core s | note |\n"

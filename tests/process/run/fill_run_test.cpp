@@ -148,11 +148,11 @@ TEST(FillRun, EndsWithTheWarningsOfAnUnbrokenRunAfterARestart) {
   EXPECT_EQ(broken.run_until(0.026)->warnings(), of_whole_run);
 }
 
-TEST(FillRun, ThatWaitsInVainEndsUnfinishedAndSaysForWhat) {
+TEST(FillRun, ThatCannotEndStopsUnfinishedAndSaysForWhat) {
   OnAPlate waiting("preset = \"ASC100.29 initial A\"\n", "",
                    "[[step]]\nkind = \"settle\"\nuntil = { filled_mass = \"5 mg\" }\n");
   const auto run = waiting.run_until(5);
-  EXPECT_TRUE(run->waits_in_vain());
+  EXPECT_TRUE(run->cannot_end());
   EXPECT_TRUE(run->ended_early());
   EXPECT_LT(run->simulation().time(), 4);
   const std::string why = run->why_unfinished();
@@ -162,14 +162,14 @@ TEST(FillRun, ThatWaitsInVainEndsUnfinishedAndSaysForWhat) {
     EXPECT_NE(why.find(part), std::string::npos) << why;
 }
 
-TEST(FillRun, ThatWaitsInVainEndsAtTheSameInstantAfterARestart) {
+TEST(FillRun, ThatCannotEndStopsAtTheSameInstantAfterARestart) {
   const std::string powder = "preset = \"ASC100.29 initial A\"\n",
                     steps = "[[step]]\nkind = \"settle\"\nuntil = { filled_mass = \"5 mg\" }\n";
   OnAPlate unbroken(powder, "", steps), broken(powder, "", steps);
   const double end = unbroken.run_until(5)->simulation().time();
-  EXPECT_FALSE(broken.run_until(end - 0.1)->waits_in_vain());
+  EXPECT_FALSE(broken.run_until(end - 0.1)->cannot_end());
   const auto rest = broken.run_until(5);
-  EXPECT_TRUE(rest->waits_in_vain());
+  EXPECT_TRUE(rest->cannot_end());
   EXPECT_EQ(rest->simulation().time(), end);
 }
 

@@ -1,4 +1,4 @@
-// Whether powder at rest leaves a schedule waiting in vain.
+// Whether a schedule waits for what powder at rest never brings.
 #include <gtest/gtest.h>
 
 #include "engine/simulation/simulation.h"
@@ -65,7 +65,7 @@ class Waiting {
       if (simulation_->steps() % 20 == 0) schedule_->update(*simulation_);
     }
   }
-  bool in_vain() const { return schedule_->waits_for_powder(*simulation_); }
+  bool for_powder() const { return schedule_->waits_for_powder(*simulation_); }
   std::string unmet() const { return schedule_->unmet_condition(*simulation_); }
 
  private:
@@ -77,35 +77,35 @@ class Waiting {
 
 TEST(ScheduleWaits, ForAMassThatNothingBrings) {
   const Waiting waiting({until(std::make_shared<Settle>(std::nullopt), for_a_mass())});
-  EXPECT_TRUE(waiting.in_vain());
+  EXPECT_TRUE(waiting.for_powder());
   EXPECT_EQ(waiting.unmet(), "scene.toml:9:1: step.until waits for 1 g in the cavity, which holds 0 g");
 }
 
 TEST(ScheduleWaits, NotWhereTimeOrAMotionGoesOn) {
-  EXPECT_FALSE(Waiting({std::make_shared<Settle>(std::nullopt)}).in_vain());
-  EXPECT_FALSE(Waiting({std::make_shared<Wait>(1.0)}).in_vain());
-  EXPECT_FALSE(Waiting({until(std::make_shared<Wait>(1.0), for_a_mass())}).in_vain());
-  EXPECT_FALSE(Waiting({until(shaking(), for_a_mass())}).in_vain());
+  EXPECT_FALSE(Waiting({std::make_shared<Settle>(std::nullopt)}).for_powder());
+  EXPECT_FALSE(Waiting({std::make_shared<Wait>(1.0)}).for_powder());
+  EXPECT_FALSE(Waiting({until(std::make_shared<Wait>(1.0), for_a_mass())}).for_powder());
+  EXPECT_FALSE(Waiting({until(shaking(), for_a_mass())}).for_powder());
   Condition later = for_a_mass();
   later.at = 0.2;
   Waiting waiting({until(std::make_shared<Settle>(std::nullopt), later)});
-  EXPECT_FALSE(waiting.in_vain());
+  EXPECT_FALSE(waiting.for_powder());
   waiting.go_on(0.2);
-  EXPECT_TRUE(waiting.in_vain());
+  EXPECT_TRUE(waiting.for_powder());
 }
 
 TEST(ScheduleWaits, NotWherePowderStillComesInSlowly) {
-  EXPECT_FALSE(Waiting({until(feeding(1e-9), for_a_mass())}).in_vain());
-  EXPECT_TRUE(Waiting({until(feeding(1.0), for_a_mass())}).in_vain())
+  EXPECT_FALSE(Waiting({until(feeding(1e-9), for_a_mass())}).for_powder());
+  EXPECT_TRUE(Waiting({until(feeding(1.0), for_a_mass())}).for_powder())
       << "it lags behind, as there is no room";
-  EXPECT_TRUE(Waiting({until(feeding(std::nullopt), for_a_mass())}).in_vain());
+  EXPECT_TRUE(Waiting({until(feeding(std::nullopt), for_a_mass())}).for_powder());
 }
 
 TEST(ScheduleWaits, ForAStartThatAMassHoldsBack) {
   auto held = std::make_shared<Wait>(1.0);
   held->plan.start = for_a_mass();
-  EXPECT_TRUE(Waiting({std::make_shared<Wait>(0.01), held}).in_vain());
-  EXPECT_FALSE(Waiting({std::make_shared<Wait>(1.0), held}).in_vain());
+  EXPECT_TRUE(Waiting({std::make_shared<Wait>(0.01), held}).for_powder());
+  EXPECT_FALSE(Waiting({std::make_shared<Wait>(1.0), held}).for_powder());
 }
 
 }  // namespace
