@@ -33,13 +33,13 @@ class PriorityFlood {
   PriorityFlood(const VoxelGrid& grid, const std::vector<std::uint8_t>& blocked)
       : grid_(grid),
         blocked_(blocked),
-        level_(grid.size(), kDry),
+        level_(grid.size(), kUnreached),
         from_(grid.size()),
         front_(static_cast<std::size_t>(grid.counts.z())) {
     for (int k = 0; k < grid.counts.z(); ++k)
       for (int j = 0; j < grid.counts.y(); ++j)
         for (int i = 0; i < grid.counts.x(); ++i)
-          if (k == 0 || at_side({i, j, k})) wet({i, j, k}, k, {i, j, k});
+          if (k == 0 || at_side({i, j, k})) reach({i, j, k}, k, {i, j, k});
     for (std::size_t level = 0; level < front_.size(); ++level)
       for (std::size_t next = 0; next < front_[level].size(); ++next)
         spread(front_[level][next], static_cast<int>(level));
@@ -48,8 +48,8 @@ class PriorityFlood {
   /// Voxels below the layer over which the fill reaches them, by that layer.
   std::vector<std::vector<Eigen::Vector3i>> depressions() const {
     std::vector<std::vector<Eigen::Vector3i>> depressions(front_.size());
-    for (const auto& wet_at_once : front_)
-      for (const Eigen::Vector3i& voxel : wet_at_once) {
+    for (const auto& reached : front_)
+      for (const Eigen::Vector3i& voxel : reached) {
         const int level = level_[at(voxel)];
         if (level > voxel.z()) depressions[static_cast<std::size_t>(level)].push_back(voxel);
       }
@@ -64,7 +64,7 @@ class PriorityFlood {
   }
 
  private:
-  static constexpr int kDry = -1;
+  static constexpr int kUnreached = -1;
 
   std::size_t at(const Eigen::Vector3i& voxel) const { return grid_.index(voxel.x(), voxel.y(), voxel.z()); }
 
@@ -73,8 +73,8 @@ class PriorityFlood {
            voxel.y() == grid_.counts.y() - 1;
   }
 
-  void wet(const Eigen::Vector3i& voxel, int level, const Eigen::Vector3i& from) {
-    if (blocked_[at(voxel)] != 0 || level_[at(voxel)] != kDry) return;
+  void reach(const Eigen::Vector3i& voxel, int level, const Eigen::Vector3i& from) {
+    if (blocked_[at(voxel)] != 0 || level_[at(voxel)] != kUnreached) return;
     level_[at(voxel)] = level;
     from_[at(voxel)] = from;
     front_[static_cast<std::size_t>(level)].push_back(voxel);
@@ -85,7 +85,7 @@ class PriorityFlood {
       for (const int step : {-1, 1}) {
         Eigen::Vector3i next = voxel;
         next[axis] += step;
-        if (grid_.has(next)) wet(next, std::max(level, next.z()), voxel);
+        if (grid_.has(next)) reach(next, std::max(level, next.z()), voxel);
       }
   }
 
