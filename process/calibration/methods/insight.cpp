@@ -38,7 +38,7 @@ double share_at_end(const Region& region, Eigen::Index parameter, bool upper, do
   return static_cast<double>(count) / static_cast<double>(place.size());
 }
 
-/// Ends of ranges where the samples do not become fewer: parameters beyond would agree, too.
+/// Ends of ranges where the samples do not become fewer: parameters beyond may fit as well.
 void add_cut_off(const Region& region, const std::vector<std::string>& parameters,
                  std::vector<std::string>& sentences) {
   for (std::size_t d = 0; d < parameters.size(); ++d) {
@@ -48,7 +48,7 @@ void add_cut_off(const Region& region, const std::vector<std::string>& parameter
       if (share_at_end(region, at, upper, reach) > kCutOff * kEnd * region.share)
         sentences.push_back("the region is cut off where the range of " + parameters[d] +
                             (upper ? " ends" : " begins") +
-                            ": powders beyond would agree, too; widen it if such powders are possible");
+                            ": powders beyond may fit as well or better; widen it if such powders are possible");
   }
 }
 

@@ -91,7 +91,7 @@ LabPowder lab_powder(const LabSetting& setting, const std::string& preset, doubl
     powder.own_size = facts_of(powder_preset(preset).model).grain_diameter;
     powder.solid_density = preset_solid_density(powder_preset(preset));
     powder.changes.set = line("powder.preset", '"' + preset + '"');
-    powder.creeps = preset == "ASC100.29 A1";
+    powder.stacks = preset == "ASC100.29 A1";
   } else {
     powder.changes = powder_changes(setting.powder);
     const PowderSpec read = powder_in(setting.powder, setting.scenes / kAnyScene, powder.changes);
@@ -103,8 +103,9 @@ LabPowder lab_powder(const LabSetting& setting, const std::string& preset, doubl
   return powder;
 }
 
-std::string bounded_settling(const LabPowder& powder) {
-  return powder.creeps ? line("step.settling.duration", "\"1 s\"") : "";
+std::string start_lattice(const LabPowder& powder) {
+  if (!powder.stacks) return "";
+  return line("pour.lattice_constant", "2") + line("pour.random_offset", "0.5");
 }
 
 std::string plain(double value) {

@@ -11,7 +11,7 @@ struct LabPowder {
   double own_size = 0;       ///< m, d that its parameters belong to
   double size = 0;           ///< m, d of the model grains
   double solid_density = 0;  ///< kg/m^3 of the metal; 0: that of the model grains
-  bool creeps = false;       ///< and never comes to rest
+  bool stacks = false;       ///< its grains stack into vertical columns where they start one above the other
   SceneChanges changes;      ///< that put it into a scene
 };
 
@@ -19,9 +19,10 @@ struct LabPowder {
 /// place, enlarged likewise. Throws SceneError for a wrong powder file.
 LabPowder lab_powder(const LabSetting& setting, const std::string& preset, double scale);
 
-/// Keys that let powder that creeps settle for a second, instead of until it rests, in a scene whose step
-/// "settling" begins with the start.
-std::string bounded_settling(const LabPowder& powder);
+/// Keys that start powder that stacks from random places, far enough apart: from the usual lattice, with
+/// offsets of a tenth of a diameter, cohesive spheres that do not roll stay on those below them. Empty for
+/// other powder.
+std::string start_lattice(const LabPowder& powder);
 
 /// Whether the setting has a powder of its own, so that an experiment over several presets has one.
 bool has_own_powder(const LabSetting& setting);

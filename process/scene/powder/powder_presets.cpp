@@ -55,7 +55,8 @@ constexpr std::array<Preset, 11> kPresets = {{
      "friction and cohesion are not calibrated; settles at 0.59, real about 0.38"},
     {"ASC100.29 A1", GrainModel::A, 1.0, 1.0e-2, 0, "discharge through a slit",
      "the published discharge through a slit only",
-     "not for die filling: poured grains stack into vertical columns, heaps are unrealistic, and rings are "
+     "not for die filling: from the usual lattice grains stack into vertical columns (not from "
+     "pour.lattice_constant = 2 with pour.random_offset = 0.5); heaps are unrealistic, and rings are "
      "underfilled the most"},
 }};
 
@@ -92,8 +93,8 @@ double preset_solid_density(const PowderSpec& powder) {
 std::string preset_warning(const PowderSpec& powder) {
   if (powder.name != kColumnFormingPreset || powder.model != GrainModel::A) return {};
   return std::string("preset \"") + kColumnFormingPreset +
-         "\" is not suitable for die filling: its grains stack into vertical columns; use \"ASC100.29 D2\" "
-         "(diefill "
+         "\" is not suitable for die filling: from the usual lattice its grains stack into vertical columns (not "
+         "from pour.lattice_constant = 2 with pour.random_offset = 0.5); use \"ASC100.29 D2\" (diefill "
          "powders lists the use of each preset)";
 }
 

@@ -36,8 +36,8 @@ std::vector<Model> models_of(const LabSetting& setting) {
 }
 
 /// Whether its heaps go on moving, so that they are looked at after a given time.
-bool creeps(const LabSetting& setting, const Model& model) {
-  return *model.creep != '\0' || lab_powder(setting, model.preset, setting.scale()).creeps;
+bool creeps(const Model& model) {
+  return *model.creep != '\0';
 }
 
 /// Of a published figure the figure says what it is.
@@ -45,7 +45,7 @@ LabQuantity angle_of(const LabSetting& setting, const Model& model, const char* 
   const std::string id = std::string(heap) == kHeapOnSlider ? model.on_slider : model.on_floor;
   const bool published = id.rfind("theta_", 0) != 0;
   const std::string of = has_own_powder(setting) ? "" : " of " + std::string(model.name);
-  LabQuantity angle = heap_angle(model.name, heap, creeps(setting, model) ? kSecond : "");
+  LabQuantity angle = heap_angle(model.name, heap, creeps(model) ? kSecond : "");
   angle.id = id;
   angle.quantity = published ? "" : "angle of repose" + of + ", " + heap;
   if (published) angle.unit = "";
@@ -119,7 +119,7 @@ results::ExperimentChart angle_of_repose_chart(const std::vector<Model>& models,
   for (const Model& model : models) {
     if (!seed.has(model.name)) continue;
     const auto& powder =
-        creeps(setting, model) ? seed.at(model.name, kSecond).powder : seed.of(model.name).powder;
+        creeps(model) ? seed.at(model.name, kSecond).powder : seed.of(model.name).powder;
     results::ExperimentSeries surfaces{.name = model.name, .x = {}, .y = {}};
     for (const auto& heap : heaps_of(setting, model)) add_surface(powder, heap, surfaces);
     chart.series.push_back(surfaces);
@@ -134,7 +134,7 @@ LabPlan plan_angle_of_repose(const LabSetting& setting) {
   LabPlan plan;
   for (const Model& model : models) {
     const std::string run = model.name;
-    plan.runs.push_back({run, "repose.toml", repose_changes(setting, model.preset, creeps(setting, model))});
+    plan.runs.push_back({run, "repose.toml", repose_changes(setting, model.preset, creeps(model))});
     if (*model.creep == '\0') {
       plan.quantities.push_back(angle_of(setting, model, kHeapOnSlider));
       plan.quantities.push_back(angle_of(setting, model, kHeapOnFloor));

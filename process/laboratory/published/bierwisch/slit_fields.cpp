@@ -17,7 +17,8 @@ constexpr double kWidth = 0.010, kInside = 0.032;  // m, slit, shoe
 constexpr double kSlow = 0.18, kFast = 0.4;        // m/s
 constexpr int kInstants = 5;
 constexpr double kSlowBehind = 0.010,
-                 kSlowHigh = 0.004;  // m, box behind the slit in which the slow zone is sought
+                 kSlowHigh = 0.004,  // m, box behind the slit in which the slow zone is sought
+    kSlowCell = 2.5e-4;              // m, between its points
 
 struct Model {
   const char* name;
@@ -85,13 +86,13 @@ std::vector<std::string> instant_names() {
 
 /// mm^2, where powder on the ground is slower than 0.6 of the shoe, behind the slit, to where the shoe goes.
 double slow_area(const SeedResults& seed, const std::string& run, double half_width) {
-  constexpr double kSlower = 0.6, kCell = 2.5e-4;  // m
+  constexpr double kSlower = 0.6;
   const PassageFields fields = passage_fields(seed, run, instant_names(), kSlow);
   double cells = 0;
-  for (double x = -half_width - 0.5 * kCell; x > -half_width - kSlowBehind; x -= kCell)
-    for (double z = 0.5 * kCell; z < kSlowHigh; z += kCell)
+  for (double x = -half_width - 0.5 * kSlowCell; x > -half_width - kSlowBehind; x -= kSlowCell)
+    for (double z = 0.5 * kSlowCell; z < kSlowHigh; z += kSlowCell)
       cells += fields.speed.at({x, 0, z}) < kSlower ? 1 : 0;  // no powder, no value: NaN
-  return 1e6 * cells * kCell * kCell;
+  return 1e6 * cells * kSlowCell * kSlowCell;
 }
 
 /// Standard deviation of a field among points 2 d apart within the shoe, farther than 1.5 slits from the
@@ -240,7 +241,7 @@ LabPlan plan_slit_fields(const LabSetting& setting) {
       return mean_over_models(seed, setting, kSlow, slow_area,
                               [clumps](const Model& model) { return model.clump == clumps; });
     };
-    return area(true) / area(false);
+    return area(true) / std::max(area(false), 1e6 * kSlowCell * kSlowCell);  // of none, that of a cell
   });
   add("L03", kFast, [setting, any](const SeedResults& seed) {
     return mean_over_models(seed, setting, kFast, unevenness, any);
