@@ -46,9 +46,9 @@ void add_cut_off(const Region& region, const std::vector<std::string>& parameter
     const double reach = kEnd * (region.upper[at] - region.lower[at]);
     for (const bool upper : {false, true})
       if (share_at_end(region, at, upper, reach) > kCutOff * kEnd * region.share)
-        sentences.push_back("the region is cut off where the range of " + parameters[d] +
-                            (upper ? " ends" : " begins") +
-                            ": powders beyond may fit as well or better; widen it if such powders are possible");
+        sentences.push_back(
+            "the region is cut off where the range of " + parameters[d] + (upper ? " ends" : " begins") +
+            ": powders beyond may fit as well or better; widen it if such powders are possible");
   }
 }
 

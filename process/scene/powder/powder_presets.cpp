@@ -93,7 +93,8 @@ double preset_solid_density(const PowderSpec& powder) {
 std::string preset_warning(const PowderSpec& powder) {
   if (powder.name != kColumnFormingPreset || powder.model != GrainModel::A) return {};
   return std::string("preset \"") + kColumnFormingPreset +
-         "\" is not suitable for die filling: from the usual lattice its grains stack into vertical columns (not "
+         "\" is not suitable for die filling: from the usual lattice its grains stack into vertical columns "
+         "(not "
          "from pour.lattice_constant = 2 with pour.random_offset = 0.5); use \"ASC100.29 D2\" (diefill "
          "powders lists the use of each preset)";
 }

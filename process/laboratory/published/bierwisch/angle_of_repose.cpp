@@ -118,8 +118,7 @@ results::ExperimentChart angle_of_repose_chart(const std::vector<Model>& models,
   chart.y = {.label = "Height above the slider [mm]"};
   for (const Model& model : models) {
     if (!seed.has(model.name)) continue;
-    const auto& powder =
-        creeps(model) ? seed.at(model.name, kSecond).powder : seed.of(model.name).powder;
+    const auto& powder = creeps(model) ? seed.at(model.name, kSecond).powder : seed.of(model.name).powder;
     results::ExperimentSeries surfaces{.name = model.name, .x = {}, .y = {}};
     for (const auto& heap : heaps_of(setting, model)) add_surface(powder, heap, surfaces);
     chart.series.push_back(surfaces);
