@@ -28,6 +28,8 @@ LabPlan plan_damping(const LabSetting& setting);
 LabPlan plan_packing(const LabSetting& setting);
 /// Adhesive beds pressed in five cycles (Kottlan 2018, section 2.7.2).
 LabPlan plan_confined_compression(const LabSetting& setting);
+/// Compression of LH100 over the reference overlap that k_1 belongs to (Kottlan 2018, Eq. 3).
+LabPlan plan_reference_overlap(const LabSetting& setting);
 /// Yield loci of adhesive beds in a shear cell (Kottlan 2018, section 2.7.4), their friction on a turning
 /// disc (section 2.7.5), and arching in a wedge hopper (section 3.4).
 LabPlan plan_shear_tester(const LabSetting& setting);

@@ -68,6 +68,8 @@ const std::vector<SceneExperiment>& scene_experiments() {
        plan_packing},
       {"confined_compression", "how compressible and how stiff are adhesive beds under cyclic load?",
        plan_confined_compression},
+      {"reference_overlap", "at which reference overlap is a bed of LH100 as stiff as published?",
+       plan_reference_overlap},
       {"shear_tester",
        "what yield locus, strength and flow function do adhesive beds have under a vaned head?",
        plan_shear_tester},

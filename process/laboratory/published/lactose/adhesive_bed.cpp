@@ -13,7 +13,6 @@ namespace diefill::process::laboratory {
 namespace {
 
 constexpr double kDensity = 1545, kGravity = engine::kStandardGravity;  // kg/m^3, m/s^2
-constexpr double kReferenceOverlap = 0.01;                              // over r
 constexpr double kWallRatio = 30;                                       // k_1 of walls over that of grains
 constexpr double kWallFriction = 0.2;
 constexpr double kSmallestGap = 5e-9, kLargestGap = 1e-6;  // m
@@ -75,7 +74,7 @@ double AdhesivePowder::mass() const {
 }
 
 double AdhesivePowder::loading_stiffness() const {
-  return 4.0 / 3 * young * radius * std::sqrt(kReferenceOverlap);
+  return 4.0 / 3 * young * radius * std::sqrt(reference_overlap);
 }
 
 double AdhesivePowder::damping() const {

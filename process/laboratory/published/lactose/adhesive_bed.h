@@ -23,10 +23,11 @@ struct AdhesivePowder {
   double tangential_ratio = 0.6, dynamic_ratio = 1, restitution = 0.65,
          damping_ratio = 0.6;               ///< f_3, f_4, e, f_5
   const char* rolling_law = "elastic CDT";  ///< as `contact.rolling` has it
+  double reference_overlap = 0.01;          ///< delta', over the radius: not published
 
   double diameter() const { return 2 * radius; }
   double mass() const;  ///< kg, 1545 kg/m^3
-  /// N/m, k_1 = 4/3 Y r sqrt(0.01) (Kottlan 2018, Eq. 3). The reference overlap of 0.01 r is not published.
+  /// N/m, k_1 = 4/3 Y r sqrt(delta') (Kottlan 2018, Eq. 3).
   double loading_stiffness() const;
   /// N s/m, gamma_n of a pair (Eqs. 7 and 8 with the reduced mass).
   double damping() const;

@@ -1,6 +1,5 @@
 // Confined compression in five cycles and tension of the calibrated lactoses (Kottlan 2018, sections 2.7.2
 // and 2.7.3). Beds are periodic in x and y in place of the cylinder, of spheres of one size, and cut flat.
-// Coarse: 6 d wide, 10 d of powder; medium: 8 d and 15 d; published: 16 d and 20 d.
 #include <algorithm>
 #include <limits>
 
@@ -16,9 +15,7 @@ struct Lactose {
 };
 
 std::vector<Lactose> lactoses(LabSize size) {
-  const AdhesiveBed bed = size == LabSize::coarse   ? AdhesiveBed{6, 10}
-                          : size == LabSize::medium ? AdhesiveBed{8, 15}
-                                                    : AdhesiveBed{16, 20};
+  const AdhesiveBed bed = pressed_bed_of(size);
   return {{"L100", {"LH100", lh100(), bed}}, {"L220", {"LH220", lh220(), bed}}};
 }
 

@@ -17,6 +17,12 @@ double PressedBed::area() const {
   return width * width;
 }
 
+AdhesiveBed pressed_bed_of(LabSize size) {
+  if (size == LabSize::coarse) return {6, 10};
+  if (size == LabSize::medium) return {8, 15};
+  return {16, 20};
+}
+
 LabRun run_of(const PressedBed& bed) {
   Loads loads;
   loads.stresses = {kLoads.high};

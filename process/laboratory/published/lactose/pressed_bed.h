@@ -21,6 +21,9 @@ struct PressedBed {
 
 LabRun run_of(const PressedBed& bed);
 
+/// Coarse: 6 d wide, 10 d of powder; medium: 8 d and 15 d; published: 16 d and 20 d.
+AdhesiveBed pressed_bed_of(LabSize size);
+
 /// Heights of the plate and stresses on it, from 50 Pa on: the height there is the bed's initial one.
 LoadCurve load_curve(const SeedResults& seed, const PressedBed& bed);
 /// Of the plate while it is pulled off.

@@ -120,6 +120,34 @@ void add_own(LabPlan& plan, const ShearedPowder& one) {
       });
 }
 
+/// One shear at half the speed: a test slow enough gives the same stresses.
+ShearTest at_half_the_speed(ShearTest test) {
+  test.name += ", half the speed";
+  test.filled.cell.rim_speed /= 2;
+  test.stresses.resize(1);
+  return test;
+}
+
+void add_speed_check(LabPlan& plan, const ShearedPowder& one) {
+  const ShearTest slow = at_half_the_speed(one.test);
+  const double stress = slow.stresses.front();
+  plan.runs.push_back(run_of(slow, stress));
+  const auto add = [&](const char* id, const char* what, double (*of)(const SeedResults&, const ShearTest&)) {
+    plan.quantities.push_back(
+        {.id = one.test.name + '-' + id,
+         .quantity = one.test.name + ": " + what + " at half the speed, over that at the full speed",
+         .unit = "1",
+         .runs = {one.test.run_name(stress), slow.run_name(stress)},
+         .value = [test = one.test, slow, of](const SeedResults& seed) {
+           return of(seed, slow) / of(seed, test);
+         }});
+  };
+  add("speed-preshear", "shear stress in pre-shear",
+      [](const SeedResults& seed, const ShearTest& of) { return preshear_of(seed, of).shear; });
+  add("speed-strength", "shear strength at 2 kPa",
+      [](const SeedResults& seed, const ShearTest& of) { return strengths_of(seed, of).front().shear; });
+}
+
 /// Largest of both powders: pre-shear over the locus at its normal stress.
 LabQuantity above_the_locus(const std::vector<ShearedPowder>& all) {
   LabQuantity of{
@@ -239,6 +267,7 @@ LabPlan plan_shear_tester(const LabSetting& setting) {
   for (const ShearedPowder& one : all) {
     add_published(plan, one);
     add_own(plan, one);
+    add_speed_check(plan, one);
   }
   plan.quantities.push_back(above_the_locus(all));
   plan.charts = [all](const SeedResults& seed) {
