@@ -58,7 +58,7 @@ struct PourSpec {
       0;  ///< estimate of the settled solid fraction, sets the number of grains; 0: from the preset
   double rim_speed = 0.05;  ///< m/s of the initial random spin
   /// Over d; 0: 1.2, or wider so that the solid fraction of the lattice is at most 0.1 (Bierwisch 2009,
-  /// section 3.2.1).
+  /// section 3.2.1). Read as 2, with offsets of 0.5, for powder that would settle in columns.
   double lattice_constant = 0;
   double random_offset = 0.1;     ///< over d, uniform in +- per axis
   bool around_tools = false;      ///< places that a tool takes up are left out

@@ -91,7 +91,6 @@ LabPowder lab_powder(const LabSetting& setting, const std::string& preset, doubl
     powder.own_size = facts_of(powder_preset(preset).model).grain_diameter;
     powder.solid_density = preset_solid_density(powder_preset(preset));
     powder.changes.set = line("powder.preset", '"' + preset + '"');
-    powder.stacks = preset == "ASC100.29 A1";
   } else {
     powder.changes = powder_changes(setting.powder);
     const PowderSpec read = powder_in(setting.powder, setting.scenes / kAnyScene, powder.changes);
@@ -101,11 +100,6 @@ LabPowder lab_powder(const LabSetting& setting, const std::string& preset, doubl
   powder.size = scale * powder.own_size;
   powder.changes.set += line("powder.grain_diameter", millimetres(powder.size));
   return powder;
-}
-
-std::string start_lattice(const LabPowder& powder) {
-  if (!powder.stacks) return "";
-  return line("pour.lattice_constant", "2") + line("pour.random_offset", "0.5");
 }
 
 std::string plain(double value) {

@@ -11,18 +11,12 @@ struct LabPowder {
   double own_size = 0;       ///< m, d that its parameters belong to
   double size = 0;           ///< m, d of the model grains
   double solid_density = 0;  ///< kg/m^3 of the metal; 0: that of the model grains
-  bool stacks = false;       ///< its grains stack into vertical columns where they start one above the other
   SceneChanges changes;      ///< that put it into a scene
 };
 
 /// `preset` with grains `scale` times as large as its own; where the setting names a powder, that one in its
 /// place, enlarged likewise. Throws SceneError for a wrong powder file.
 LabPowder lab_powder(const LabSetting& setting, const std::string& preset, double scale);
-
-/// Keys that start powder that stacks from random places, far enough apart: from the usual lattice, with
-/// offsets of a tenth of a diameter, cohesive spheres that do not roll stay on those below them. Empty for
-/// other powder.
-std::string start_lattice(const LabPowder& powder);
 
 /// Whether the setting has a powder of its own, so that an experiment over several presets has one.
 bool has_own_powder(const LabSetting& setting);

@@ -85,4 +85,8 @@ bool has_rolling_friction(const PowderSpec& powder) {
   return powder.model != GrainModel::clump && facts_of(powder.model).rolling_friction;
 }
 
+bool stacks_in_columns(const PowderSpec& powder) {
+  return !rotates(powder) && powder.work_of_adhesion > 0;
+}
+
 }  // namespace diefill::process

@@ -38,4 +38,8 @@ bool has_single_spheres(const PowderSpec& powder);
 bool rotates(const PowderSpec& powder);
 bool has_rolling_friction(const PowderSpec& powder);
 
+/// Whether grains that fall straight onto others stay there, so that powder from a narrow lattice settles in
+/// vertical columns: spheres that stick and do not rotate.
+bool stacks_in_columns(const PowderSpec& powder);
+
 }  // namespace diefill::process

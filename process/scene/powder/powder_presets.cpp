@@ -25,8 +25,7 @@ constexpr const char* kFlow = "flow through slits and openings";
 
 // Bierwisch 2009, Table 4.2; Distaloy AE from section 6.1 (Table C.6: w/R = 63.8 J/m^3). Uses and limits:
 // sections 4.1.4 to 4.1.7 (heaps, settled solid fraction, ring fillings) and README.md, "How far to trust
-// it". In the order in which they are suggested: what fills dies first, what stacks into vertical columns
-// last.
+// it". In the order in which they are suggested: what fills dies first, what is for slits only last.
 constexpr std::array<Preset, 11> kPresets = {{
     {"Distaloy AE", GrainModel::D, 1.0, 5.0e-3, 0, "filling of a narrow ring", "filling of dies by a shoe",
      "no apparent density published; set powder.apparent_density to your measured value"},
@@ -55,12 +54,10 @@ constexpr std::array<Preset, 11> kPresets = {{
      "friction and cohesion are not calibrated; settles at 0.59, real about 0.38"},
     {"ASC100.29 A1", GrainModel::A, 1.0, 1.0e-2, 0, "discharge through a slit",
      "the published discharge through a slit only",
-     "not for die filling: from the usual lattice grains stack into vertical columns (not from "
-     "pour.lattice_constant = 2 with pour.random_offset = 0.5); heaps are unrealistic, and rings are "
-     "underfilled the most"},
+     "not for die filling: heaps are unrealistic, and rings are underfilled the most"},
 }};
 
-constexpr const char* kColumnFormingPreset = "ASC100.29 A1";
+constexpr const char* kDischargeOnly = "ASC100.29 A1";
 
 /// kg/m^3 of the real powder; 0 where it has not been published.
 double apparent_density(const std::string& preset) {
@@ -91,12 +88,11 @@ double preset_solid_density(const PowderSpec& powder) {
 }
 
 std::string preset_warning(const PowderSpec& powder) {
-  if (powder.name != kColumnFormingPreset || powder.model != GrainModel::A) return {};
-  return std::string("preset \"") + kColumnFormingPreset +
-         "\" is not suitable for die filling: from the usual lattice its grains stack into vertical columns "
-         "(not "
-         "from pour.lattice_constant = 2 with pour.random_offset = 0.5); use \"ASC100.29 D2\" (diefill "
-         "powders lists the use of each preset)";
+  if (powder.name != kDischargeOnly || powder.model != GrainModel::A) return {};
+  return std::string("preset \"") + kDischargeOnly +
+         "\" is not suitable for die filling: its heaps are unrealistic and it underfills rings; use "
+         "\"ASC100.29 "
+         "D2\" (diefill powders lists the use of each preset)";
 }
 
 PowderSpec powder_preset(const std::string& name) {

@@ -3,6 +3,7 @@
 
 #include "geometry/mesh/mesh.h"
 #include "process/results/storage/result_file.h"
+#include "process/scene/powder/grain_models.h"
 #include "process/scene/reading/plausibility.h"
 #include "process/scene/reading/read_sphere_file.h"
 #include "process/scene/reading/sections.h"
@@ -19,6 +20,9 @@ constexpr NumberRule kSolidFraction = {0.05, 0.74, false,
 constexpr QuantityRule kRimSpeed = {Dimension::velocity, "0.05 m/s", "0 m/s", "1 m/s"};
 constexpr NumberRule kLatticeConstant = {1, 5, false, "1.2"};
 constexpr NumberRule kRandomOffset = {0, 0.5, false, "0.1"};
+/// Lattice and offset over d of powder that would settle in columns: grains are anywhere in their cells and
+/// touch none (A1 settles at 0.47, published 0.48: Bierwisch 2009, Table 4.4).
+constexpr double kRandomLattice = 2, kRandomPlace = 0.5;
 
 /// Rejects keys of the lattice, and a setting that chooses the grain size, beside `key`, which gives all
 /// grains.
@@ -111,6 +115,8 @@ PourSpec read(TableReader& table, const Scene& scene, bool height_of_box) {
       height_of_box ? pour.upper[2] - pour.lower[2] : table.required_quantity("fill_height", kFillHeight);
   pour.solid_fraction = table.number("solid_fraction", kSolidFraction).value_or(pour.solid_fraction);
   pour.rim_speed = table.quantity("rim_speed", kRimSpeed).value_or(pour.rim_speed);
+  if (stacks_in_columns(scene.powder) && !table.has("lattice_constant") && !table.has("random_offset"))
+    pour.lattice_constant = kRandomLattice, pour.random_offset = kRandomPlace;
   pour.lattice_constant = table.number("lattice_constant", kLatticeConstant).value_or(pour.lattice_constant);
   pour.random_offset = table.number("random_offset", kRandomOffset).value_or(pour.random_offset);
   pour.around_tools = table.flag("around_tools").value_or(pour.around_tools);

@@ -231,6 +231,34 @@ fill_height = "5 mm"
   EXPECT_TRUE(scene.measure.sections.empty());
 }
 
+/// Offset and lattice of a scene's pour, with these lines in [powder] and at the end of [pour].
+std::pair<double, double> start_of(const std::string& powder, const std::string& pour) {
+  const SceneFolder folder;
+  const Scene scene = read_scene(folder.write("[powder]\n" + powder + R"(
+[[tool]]
+name = "plate"
+role = "plate"
+file = "die.stl"
+length_unit = "mm"
+[pour]
+from = ["0 mm", "0 mm", "0 mm"]
+to = ["20 mm", "20 mm", "20 mm"]
+fill_height = "5 mm"
+)" + pour));
+  return {scene.pour.random_offset, scene.pour.lattice_constant};
+}
+
+TEST(Pour, StartsSpheresThatWouldSettleInColumnsFromRandomPlaces) {
+  using Start = std::pair<double, double>;
+  EXPECT_EQ(start_of("preset = \"ASC100.29 A1\"", ""), Start(0.5, 2));
+  EXPECT_EQ(start_of("preset = \"ASC100.29 A2\"", ""), Start(0.1, 0));  // does not stick
+  EXPECT_EQ(start_of("preset = \"ASC100.29 A2\"\nwork_of_adhesion = \"0.001 J/m^2\"", ""), Start(0.5, 2));
+  EXPECT_EQ(start_of("preset = \"ASC100.29 B1\"", ""), Start(0.1, 0));  // rotates
+  EXPECT_EQ(start_of("preset = \"ASC100.29 A1\"", "lattice_constant = 1.3"), Start(0.1, 1.3));
+  EXPECT_EQ(start_of("preset = \"ASC100.29 A1\"", "random_offset = 0.2\nlattice_constant = 3"),
+            Start(0.2, 3));
+}
+
 TEST(ToolRoles, AreSpeltAsInTheScene) {
   EXPECT_EQ(description(ToolRole::die), "die");
   EXPECT_EQ(description(ToolRole::core), "core");

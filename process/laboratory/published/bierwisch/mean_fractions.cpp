@@ -38,7 +38,6 @@ SceneChanges changes_of(const LabSetting& setting, const Model& model) {
   const LabPowder powder = lab_powder(setting, model.preset, setting.scale());
   const double half = 2.3 * powder.size;
   SceneChanges changes = powder.changes;
-  changes.set += start_lattice(powder);
   changes.set += line("pour.from", point_in_millimetres(0.004, -half, 0));
   changes.set += line("pour.to", point_in_millimetres(0.036, half, 0.046));
   changes.set += line("numerics.periodic", "{ y = " + millimetres(2 * half) + " }");

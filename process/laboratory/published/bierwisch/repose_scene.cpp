@@ -45,7 +45,6 @@ SceneChanges repose_changes(const LabSetting& setting, const LabPowder& powder, 
   const double half = 2.5 * powder.size, draw = slider_draw(powder);
   const HeapBoxes heaps = heap_boxes(draw);
   SceneChanges changes = powder.changes;
-  changes.set += start_lattice(powder);
   changes.set += line("pour.from", point_in_millimetres(kClear, -half, 0));
   changes.set += line("pour.to", point_in_millimetres(kSlider - kClear, half, 0.060));
   changes.set += line("step.draw.distance", millimetres(draw));

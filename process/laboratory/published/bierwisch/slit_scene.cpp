@@ -63,7 +63,6 @@ SceneChanges slit_changes(const LabSetting& setting, const LabPowder& powder, co
       passage.past ? 2 * start
                    : start + 0.5 * passage.inside + passage.speed * passage.speed / (2 * kAcceleration);
   SceneChanges changes = powder.changes;
-  changes.set += start_lattice(powder);
   changes.set +=
       line("tool.\"right half of the platen\".position", point_in_millimetres(0.5 * passage.width, 0, 0));
   changes.set +=

@@ -118,22 +118,6 @@ const SceneExperiment& experiment_called(const std::string& name) {
   throw std::logic_error("no experiment " + name);
 }
 
-TEST(SceneExperiments, StartSpheresThatStackFromRandomPlaces) {
-  LabSetting setting;
-  setting.scenes = scenes();
-  for (const char* name :
-       {"shoe_discharge", "angle_of_repose", "mean_fractions", "fill_height", "slit_fields"})
-    for (const LabRun& run : experiment_called(name).plan(setting).runs) {
-      const auto file = setting.scenes / run.scene;
-      const PourSpec pour = changed_scene(load_scene_text(file), file, run.changes).pour;
-      const bool stacks = run.name.starts_with("A1");
-      EXPECT_DOUBLE_EQ(pour.random_offset, stacks ? 0.5 : PourSpec{}.random_offset)
-          << name << ", " << run.name;
-      EXPECT_DOUBLE_EQ(pour.lattice_constant, stacks ? 2 : PourSpec{}.lattice_constant)
-          << name << ", " << run.name;
-    }
-}
-
 TEST(SceneExperiments, WithPowdersOfTheirOwnRefuseAnother) {
   const support::TemporaryFolder folder;
   LabSetting setting;
