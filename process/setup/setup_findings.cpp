@@ -61,7 +61,7 @@ double bulk_of_powder(const Scene& scene, const Tooling& tooling, double solid_f
 
 void find_little_powder(const Scene& scene, const Tooling& tooling, std::vector<SetupFinding>& findings) {
   const auto settings = engine_settings(scene, 1.0);
-  const double fraction = scene.pour.solid_fraction > 0 ? scene.pour.solid_fraction : 0.35;
+  const double fraction = expected_solid_fraction(scene);
   const double cavity = tooling.all_cavities().volume;
   const double grains = cavity * fraction / mean_of_poured(scene).solid_volume;
   char text[300];
