@@ -8,8 +8,8 @@
 #include "process/calibration/methods/insight.h"
 #include "process/calibration/methods/next_points.h"
 #include "process/input/units.h"
-#include "process/results/formatted.h"
 #include "process/results/none.h"
+#include "process/results/rounding.h"
 
 namespace diefill::process::calibration {
 namespace {
@@ -55,7 +55,7 @@ void add_points(results::Calibration& account, const CalibrationPlan& plan, cons
 void add_emulator_share(results::Calibration& account, const Fit& fit) {
   const double share = mean_emulator_share(*fit.likelihood, fit.region);
   if (!(share > kShareThatMatters)) return;
-  account.remarks.push_back("the simulations are too few: they add " + results::formatted("%.2g", share) +
+  account.remarks.push_back("the simulations are too few: they add " + results::in_significant_digits(share, 2) +
                             " times the measurements' variance" +
                             (account.agrees ? ", so that the powder agrees says little" : ""));
 }

@@ -102,7 +102,8 @@ void draw_centred(QPainter& painter, const QPointF& centre, const QString& text,
 
 QString axis_label(const std::string& name, const std::string& unit) {
   QString text = QString::fromStdString(name);
-  if (text.size() > 1) text[0] = text[0].toUpper();
+  const bool has_key = name.find_first_of("._") != std::string::npos;  // spelt as in the scene
+  if (text.size() > 1 && !has_key) text[0] = text[0].toUpper();
   QString written = QString::fromStdString(unit);
   if (unit.empty() || unit == "1" || unit == "-") written = QStringLiteral("–");
   if (unit == "deg" || unit == "degree" || unit == "degrees") written = QStringLiteral("°");

@@ -54,8 +54,8 @@ int fitting_pixels(const QString& text, int pixels, double most_width);
 void draw_centred(QPainter& painter, const QPointF& centre, const QString& text, int pixels,
                   double most_width, double angle = 0);
 
-/// "solid fraction", "" -> "Solid fraction [–]"; "azimuth", "deg" -> "Azimuth [°]". One-letter names stay as
-/// they are.
+/// "solid fraction", "" -> "Solid fraction [–]"; "azimuth", "deg" -> "Azimuth [°]". One-letter names and
+/// keys of scenes stay as they are.
 QString axis_label(const std::string& name, const std::string& unit);
 
 }  // namespace diefill::render
