@@ -53,7 +53,7 @@ std::vector<VariantEstimate> estimates_of_variants(const EstimateArguments& argu
   if (!arguments.variant.empty() || !arguments.changes.empty()) return estimates;
   if (names_of_variants(arguments.scene).empty()) return estimates;
   for (const auto& variant : chosen_variants(arguments.scene, arguments.setting)) {
-    const auto scene = process::plan::settled_scene(variant.scene, std::nullopt);
+    const auto scene = process::plan::scene_with_setting(variant.scene, std::nullopt);
     estimates.push_back({variant.name, process::estimate::estimate(scene, tooling_of(scene), options)});
   }
   return estimates;

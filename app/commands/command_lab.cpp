@@ -140,7 +140,8 @@ std::string list_of_all() {
 }  // namespace
 
 void add_lab(CLI::App& program, Action& chosen) {
-  auto* command = program.add_subcommand("lab", "Numerical experiments with the method itself");
+  auto* command = program.add_subcommand(
+      "lab", "Experiments of the sources against published figures, and limits of the method");
   command->require_subcommand(0, 1);
   auto list = std::make_shared<bool>(false);
   command->add_flag("--list", *list, "list all experiments");

@@ -256,10 +256,11 @@ void add_run(CLI::App& program, Action& chosen) {
       "  diefill run my_die.toml --powder-samples 12 --jobs 2      what the powder's uncertainty does to the "
       "filling\n"
       "Earlier results and pictures in the directory are moved to its folder previous-1, previous-2, ...\n"
-      "Exit codes: 0 done, 1 failed, 2 bad input, 3 valid range of the method exceeded, 4 unfinished: "
-      "numerics.max_time\nended before the scene, or it waits for what never comes (results cover the "
-      "simulated "
-      "time; resume with a\nlarger one), 130 stopped (can be\nresumed).");
+      "Exit codes: 0 done, 1 failed, 2 bad input, 3 valid range of the method exceeded, 4 unfinished:\n"
+      "numerics.max_time ended before the scene (resume with a larger one), or it waits for a mass or a "
+      "force\n"
+      "that powder at rest never brings, 130 stopped (can be resumed). Results of 4 cover the simulated "
+      "time.");
   command->callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
 }
 

@@ -33,6 +33,7 @@
 #include "process/laboratory/published/lab_powder.h"
 #include "process/laboratory/published/other_figures.h"
 #include "process/laboratory/published/perform.h"
+#include "process/results/figure_table.h"
 #include "process/results/storage/atomic_file.h"
 #include "render/charts/experiment_chart.h"
 #include "render/report/html.h"
@@ -260,7 +261,7 @@ void add_options(CLI::App& command, LabArguments& arguments) {
 }
 
 void add_experiment(CLI::App& lab, const laboratory::SceneExperiment& one, Action& chosen) {
-  auto* command = lab.add_subcommand(one.name, one.question);
+  auto* command = lab.add_subcommand(one.name, results::capitalised(one.question));
   auto arguments = std::make_shared<LabArguments>();
   add_options(*command, *arguments);
   command
@@ -326,8 +327,8 @@ std::string list_of_experiments(const std::string& scenes) {
     int count = 0;
     for (const auto& figure : figures) count += figure.experiment == one.name ? 1 : 0;
     char line[200];
-    std::snprintf(line, sizeof line, "%-18s %2d published figures: %s\n", one.name.c_str(), count,
-                  one.question.c_str());
+    std::snprintf(line, sizeof line, "%-18s %2d published figure%s %s\n", one.name.c_str(), count,
+                  count == 1 ? ": " : "s:", one.question.c_str());
     text += line;
   }
   return text;

@@ -77,29 +77,29 @@ void ValidityMonitor::check_numbers(const Simulation& simulation) const {
 void ValidityMonitor::check_overlap(const Simulation& simulation) {
   const double grains = simulation.overlaps_of_run().grains_over_radius;
   const double walls = simulation.overlaps_of_run().walls_over_radius;
-  if (grains > limits_.forbidden_overlap)
+  if (grains > limits_.largest_overlap)
     throw OutOfRange(line(
         "two spheres overlap by %.2f of their radius by t = %.6g s%s (limit %.2f: STABILITY.md, "
         "stiffness): grains are too soft for this speed or load; raise reduced_modulus or take a shorter "
         "time step (now %.3g s)",
-        grains, simulation.time(), deepest_text(simulation).c_str(), limits_.forbidden_overlap,
+        grains, simulation.time(), deepest_text(simulation).c_str(), limits_.largest_overlap,
         simulation.settings().time_step));
-  if (walls > limits_.forbidden_wall_overlap)
+  if (walls > limits_.largest_wall_overlap)
     throw OutOfRange(
         line("a sphere is pressed into a wall by %.2f of its radius by t = %.6g s (limit %.2f), as when a "
              "tool pinches a grain: slow the tool down, raise reduced_modulus or take a shorter time step "
              "(now %.3g s)",
-             walls, simulation.time(), limits_.forbidden_wall_overlap, simulation.settings().time_step));
+             walls, simulation.time(), limits_.largest_wall_overlap, simulation.settings().time_step));
   warn_of_overlap(grains, walls, simulation.time());
 }
 
 void ValidityMonitor::warn_of_overlap(double grains, double walls, double time) {
-  if (grains > limits_.comfortable_overlap)
+  if (grains > limits_.warning_overlap)
     warn_once(state_.overlap,
               line("overlap among grains reached %.2f of the sphere radius by t = %.6g s; up to %.2f is "
                    "acceptable",
-                   grains, time, limits_.comfortable_overlap));
-  if (walls > limits_.forbidden_overlap)
+                   grains, time, limits_.warning_overlap));
+  if (walls > limits_.largest_overlap)
     warn_once(state_.pinch,
               line("a tool pinched a grain by t = %.6g s: overlap with a wall reached %.2f of the sphere "
                    "radius",
@@ -124,39 +124,39 @@ void ValidityMonitor::check_speed(const Simulation& simulation) {
   if (fastest.speed <= 0) return;
   const double way = fastest.speed * settings.time_step / simulation.shape_of(fastest.grain).sphere_radius;
   const std::string who = grain_text(simulation.grains(), fastest.grain);
-  if (way > limits_.forbidden_displacement)
+  if (way > limits_.largest_displacement)
     throw OutOfRange(
         line("%s moves at %.3g m/s at t = %.6g s, %.2f of its sphere radius in a step (limit %.2f): it would "
              "pass through other grains undetected; the run is unstable or the time step of %.3g s too long: "
              "take a shorter one",
-             who.c_str(), fastest.speed, simulation.time(), way, limits_.forbidden_displacement,
+             who.c_str(), fastest.speed, simulation.time(), way, limits_.largest_displacement,
              settings.time_step));
   const double critical = critical_of_impact(simulation, 2 * fastest.speed);
-  if (settings.time_step > limits_.comfortable_step * critical)
+  if (settings.time_step > limits_.warning_step * critical)
     warn_once(
         state_.speed,
         line("%s moved at %.3g m/s at t = %.6g s: the critical step of its collisions is %.3g s; the run's "
              "step is %.3g s, and up to %.2f of the critical one is acceptable (STABILITY.md, time step)",
              who.c_str(), fastest.speed, simulation.time(), critical, settings.time_step,
-             limits_.comfortable_step));
+             limits_.warning_step));
 }
 
 void ValidityMonitor::check_contacts(const Simulation& simulation) {
   const auto spheres = static_cast<double>(sphere_count(simulation));
   if (spheres <= 0) return;
   const double contacts = static_cast<double>(simulation.touching_pairs()) / spheres;
-  if (contacts > limits_.forbidden_contacts)
+  if (contacts > limits_.largest_contacts)
     throw OutOfRange(line(
         "%.1f contacts a sphere at t = %.6g s%s (limit %.0f; equal spheres have room for 6): grains lie "
         "inside each other; raise reduced_modulus, take a shorter time step (now %.3g s) or coarser wall "
         "spheres",
-        contacts, simulation.time(), deepest_text(simulation).c_str(), limits_.forbidden_contacts,
+        contacts, simulation.time(), deepest_text(simulation).c_str(), limits_.largest_contacts,
         simulation.settings().time_step));
-  if (contacts > limits_.comfortable_contacts)
+  if (contacts > limits_.warning_contacts)
     warn_once(state_.contacts,
               line("%.1f contacts a sphere at t = %.6g s; up to %.0f are acceptable, equal spheres have room "
                    "for 6",
-                   contacts, simulation.time(), limits_.comfortable_contacts));
+                   contacts, simulation.time(), limits_.warning_contacts));
 }
 
 void ValidityMonitor::check_energy(const Simulation& simulation) {
@@ -167,11 +167,11 @@ void ValidityMonitor::check_energy(const Simulation& simulation) {
              "(limit %.1f %%: STABILITY.md, time step): the time step of %.3g s is too long%s",
              100 * error, simulation.time(), 100 * limits_.energy_error, simulation.settings().time_step,
              fastest_text(simulation).c_str()));
-  if (error > limits_.comfortable_energy_error)
+  if (error > limits_.warning_energy_error)
     warn_once(state_.energy,
               line("energy grew by %.1f %% of the energy exchanged with no work to explain it by t = %.6g s; "
                    "up to %.1f %% is acceptable (STABILITY.md, time step)",
-                   100 * error, simulation.time(), 100 * limits_.comfortable_energy_error));
+                   100 * error, simulation.time(), 100 * limits_.warning_energy_error));
 }
 
 }  // namespace diefill::engine

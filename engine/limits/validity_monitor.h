@@ -1,5 +1,5 @@
-// The method's valid range, monitored while running: a run that leaves it reports so and stops instead of
-// delivering garbage.
+// The method's valid range, monitored while running: a run that leaves it stops with a message, so
+// that no wrong results are written.
 #pragma once
 
 #include <string>
@@ -12,25 +12,25 @@ namespace diefill::engine {
 
 class Simulation;
 
-/// Limits of the method, each found by experiment (STABILITY.md). Between comfortable and forbidden a run
-/// continues with a warning in its report.
+/// Limits of the method, each found by experiment (STABILITY.md). Between those of the warning and the
+/// largest allowed a run continues with a warning in its report.
 struct ValidityLimits {
-  double comfortable_overlap = 0.2;  ///< over the smaller sphere radius: Hertz' law is a small-overlap law
-  double forbidden_overlap = 0.6;    ///< over the smaller sphere radius, among grains
+  double warning_overlap = 0.2;  ///< over the smaller sphere radius: Hertz' law is a small-overlap law
+  double largest_overlap = 0.6;  ///< over the smaller sphere radius, among grains
   /// Over the sphere radius, with walls. A moving tool may wedge a coarse grain against an edge, where soft
   /// grains slip past with a deep overlap: that is reported. From here on a sphere's centre has passed the
   /// envelope of the wall spheres: it is being pushed through the wall, and may come out behind it.
-  double forbidden_wall_overlap = 1.0;
+  double largest_wall_overlap = 1.0;
   double energy_error = 0.05;  ///< of the energy exchanged, gained without any work that explains it
-  double comfortable_energy_error = 0.01;
+  double warning_energy_error = 0.01;
   /// Displacement of the fastest grain in a step over the sphere radius: two grains that come at each other
   /// so fast are past each other's centres within a few steps.
-  double forbidden_displacement = 0.5;
+  double largest_displacement = 0.5;
   /// Step over the critical one of a collision at twice the fastest grain's speed: undamped clumps gain
   /// energy from 0.49 on (STABILITY.md, time step).
-  double comfortable_step = 0.5;
+  double warning_step = 0.5;
   /// Pairs in touch over spheres. Twelve equal spheres fit round one, which makes 6; fine walls add more.
-  double comfortable_contacts = 8, forbidden_contacts = 30;
+  double warning_contacts = 8, largest_contacts = 30;
 };
 
 /// What a run has been warned of so far, each once: all that a restart needs.

@@ -1,4 +1,4 @@
-// The JSON of a glTF file, and what in it assimp 5.2 misreads without a word.
+// The JSON of a glTF file, and what in it assimp 5.2 misreads without a message.
 #pragma once
 
 #include <string>

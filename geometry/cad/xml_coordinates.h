@@ -1,5 +1,5 @@
 // Coordinates written in the XML of 3MF and AMF files. The libraries that read these files take "1,5" for 1
-// and "a1" for 0 without a word, so that a decimal comma gives a closed surface of another shape.
+// and "a1" for 0 without a message, so that a decimal comma gives a closed surface of another shape.
 #pragma once
 
 #include <filesystem>

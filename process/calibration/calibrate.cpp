@@ -5,7 +5,7 @@
 #include "process/calibration/calibration_results.h"
 #include "process/calibration/methods/next_points.h"
 #include "process/calibration/methods/space_filling.h"
-#include "process/calibration/powder_account.h"
+#include "process/calibration/powder_origin.h"
 #include "process/calibration/starting_powder.h"
 #include "process/compare/backups.h"
 #include "process/measured_data/deviations.h"

@@ -1,5 +1,5 @@
 // What a plant can measure and vary, and which values a measured figure can have: what no run and no plant
-// can give is a slip in a file.
+// can give is a mistake in the file.
 #pragma once
 
 #include <string>

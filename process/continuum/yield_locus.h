@@ -1,6 +1,6 @@
 // What a shear test says about a powder: the yield locus of a consolidated bed, its Mohr circles and the
-// figures of flow that follow from them (Jenike's procedure; Kottlan 2018, sections 2.7.4 and 3.4; physics
-// reference of Kottlan, experiments 5 and 7). SI units.
+// figures of flow that follow from them (Jenike's procedure; Kottlan 2018, sections 2.7.4 and 3.4). SI
+// units.
 #pragma once
 
 #include <vector>

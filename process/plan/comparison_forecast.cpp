@@ -22,7 +22,7 @@ struct Prepared {
   Tooling tooling;
 
   Prepared(const Variant& variant, const ProgressCallback& on_progress)
-      : scene(settled_scene(variant.scene, std::nullopt)),
+      : scene(scene_with_setting(variant.scene, std::nullopt)),
         tooling(build_tooling(scene, smallest_sphere(engine_settings(scene, 1.0)), largest_grain(scene),
                               on_progress)) {
     scene = with_prepared_steps(std::move(scene), tooling);

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "engine/numerics/seconds_since.h"
+#include "process/plan/apply_setting.h"
 #include "process/plan/pilot_cache.h"
-#include "process/plan/settle.h"
 #include "process/powder/material.h"
 #include "process/scene/powder/unchanged_preset.h"
 #include "process/setup/build_tooling.h"
@@ -61,14 +61,14 @@ Choice choice_with(const std::string& name, const SettingNumbers& numbers, const
 Plan make_plan(const Scene& scene, const PlanOptions& options) {
   Plan plan;
   const auto began = std::chrono::steady_clock::now();
-  SettledScene settled = settle(scene, std::nullopt);
-  plan.scene = std::move(settled.scene);
+  SceneWithSetting chosen = apply_setting(scene, std::nullopt);
+  plan.scene = std::move(chosen.scene);
   const double sphere = smallest_sphere(engine_settings(plan.scene, 1.0));
   const double grain = largest_grain(plan.scene);
-  if (settled.tooling) refuse_excessive_work(plan.scene);
-  plan.tooling = settled.tooling ? cover_tooling(plan.scene, std::move(*settled.tooling), sphere, grain,
-                                                 options.on_progress)
-                                 : build_tooling(plan.scene, sphere, grain, options.on_progress);
+  if (chosen.tooling) refuse_excessive_work(plan.scene);
+  plan.tooling = chosen.tooling ? cover_tooling(plan.scene, std::move(*chosen.tooling), sphere, grain,
+                                                options.on_progress)
+                                : build_tooling(plan.scene, sphere, grain, options.on_progress);
   plan.scene = with_prepared_steps(std::move(plan.scene), plan.tooling);
   plan.tooling_seconds = engine::seconds_since(began);
   plan.needs = needs_of(plan.scene, plan.tooling);

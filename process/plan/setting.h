@@ -46,6 +46,6 @@ Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std:
 
 /// The scene as it is to be run: with the numbers of `wanted`, or else of its own setting; unchanged if there
 /// is neither. Reads the tools if need be.
-Scene settled_scene(const Scene& scene, const std::optional<Setting>& wanted);
+Scene scene_with_setting(const Scene& scene, const std::optional<Setting>& wanted);
 
 }  // namespace diefill::process::plan

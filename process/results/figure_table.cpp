@@ -155,7 +155,8 @@ constexpr std::array kFigures = {
     Figure{"energy_error_limit", "1", "limit of the energy balance error, either way",
            "limit of the energy unaccounted for over energy exchanged", ShownAs{"1", 1, 2}},
     // Size and speed of the computation.
-    Figure{"finished", "1", "1: the scene was over; 0: an earlier instant of it", "scene was over", kNumber},
+    Figure{"finished", "1", "1: the scene was over; 0: an earlier instant of it, or a run that ended before",
+           "scene was over", kNumber},
     Figure{"steps", "1", "time steps done", "steps", kNumber},
     Figure{"time_step_s", "s", "time step", "time step", ShownAs{"µs", 1e6, kDigits}},
     Figure{"simulated_s", "s", "simulated time", "simulated time", kSeconds},

@@ -202,8 +202,8 @@ void add_margin_figures(results::FillResult& result, const FillRun& run) {
   const engine::DeepestOverlap& deepest = simulation.overlaps_of_run();
   figures["deepest_overlap_ratio"] = deepest.grains_over_radius;
   figures["deepest_wall_overlap_ratio"] = deepest.walls_over_radius;
-  figures["overlap_limit_ratio"] = engine::ValidityLimits{}.forbidden_overlap;
-  figures["wall_overlap_limit_ratio"] = engine::ValidityLimits{}.forbidden_wall_overlap;
+  figures["overlap_limit_ratio"] = engine::ValidityLimits{}.largest_overlap;
+  figures["wall_overlap_limit_ratio"] = engine::ValidityLimits{}.largest_wall_overlap;
   figures["energy_error_limit"] = engine::ValidityLimits{}.energy_error;
 }
 

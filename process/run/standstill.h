@@ -12,8 +12,8 @@ struct Standstill {
 
   /// Whether this has lasted so long by `now` (s) that it stays so.
   bool lasts(double now) const {
-    constexpr double kPatience = 0.2;  // s at rest
-    return since >= 0 && now - since >= kPatience;
+    constexpr double kLongestRest = 0.2;  // s at rest, after which nothing more is expected
+    return since >= 0 && now - since >= kLongestRest;
   }
 };
 

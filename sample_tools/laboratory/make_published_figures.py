@@ -269,6 +269,18 @@ def experiment_of(identity):
     return ""
 
 
+# Sections of the thesis for the numbers that the targets give its experiments.
+THESIS = {
+    "E0": "exact results", "E1": "section 3.1", "E2": "section 3.2.1", "E3": "section 3.2.2",
+    "E4": "sections 4.1.1 and 4.1.2", "E4/E5": "section 4.1", "E5": "sections 4.1.3 and 4.1.4",
+    "E6": "section 4.1.5", "E7": "section 4.1.6", "E8": "section 4.1.7", "E9": "section 4.1.8",
+    "E10": "section 4.2.1", "E11": "section 4.2.2", "E12": "section 4.2.3", "E13": "section 4.2.4",
+    "E14": "section 5.1", "E15": "section 5.2", "E16": "sections 6.1 and 6.2", "E17": "section 6.3",
+    "E18": "section 6.4", "E19": "section 6.5.1", "E20": "section 6.5.2", "E21": "section 6.5.3",
+    "E22": "appendix A", "E22a": "appendix A", "E22b": "appendix A", "E22c": "appendix A", "E5,E14": "chapter 7",
+}
+
+
 def row_of(row, source):
     identity = row["id"]
     tolerance = row.get("acceptance_tolerance") or row.get("tolerance") or ""
@@ -288,7 +300,7 @@ def row_of(row, source):
         published = "trend"
     label = re.sub(r" before the final drop$", "", LABELS.get(identity, label))
     text = lambda x: "" if x is None else f"{x:.10g}"
-    return [identity, source, row["experiment"], row.get("model", ""), setting_of(row), label,
+    return [identity, source, THESIS.get(row["experiment"], row["experiment"]), row.get("model", ""), setting_of(row), label,
             "1" if unit in ("-", "") else unit, "trend" if published == "qualitative" else published, text(low),
             text(high), kind, row["source"].replace(source + " ", ""), experiment_of(identity)]
 

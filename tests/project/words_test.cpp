@@ -38,7 +38,9 @@ const std::vector<Banned>& banned_words() {
 }
 
 /// Uses of banned words in a text, a line each.
-std::vector<std::string> uses(const std::string& file, const std::string& text) {
+std::vector<std::string> uses(const std::string& file, const std::string& as_written) {
+  // Phrases go on behind the mark of the next line's comment.
+  const std::string text = std::regex_replace(as_written, std::regex("\\n[ \\t]*(///?|#)?[ \\t]*"), " ");
   std::vector<std::string> found;
   for (const Banned& banned : banned_words()) {
     if (std::any_of(banned.allowed.begin(), banned.allowed.end(),

@@ -135,7 +135,7 @@ process::Scene chosen_scene(const std::string& file, const std::string& setting,
   const SetUp set_up;
   std::optional<process::Setting> wanted;
   if (!setting.empty()) wanted = process::setting_named(setting);
-  auto scene = process::plan::settled_scene(changed_scene(file, changes), wanted);
+  auto scene = process::plan::scene_with_setting(changed_scene(file, changes), wanted);
   process::refuse_excessive_work(scene);
   print_setting_choices(scene);
   return scene;
@@ -174,8 +174,8 @@ process::Scene chosen_variant(const std::string& file, const std::string& name, 
   const auto at = std::find(names.begin(), names.end(), name);
   if (at == names.end()) throw process::SceneError("--variant: " + unknown_name(name, names));
   const auto variants = chosen_variants(file, setting);
-  auto scene = process::plan::settled_scene(variants[static_cast<std::size_t>(at - names.begin())].scene,
-                                            std::nullopt);
+  auto scene = process::plan::scene_with_setting(variants[static_cast<std::size_t>(at - names.begin())].scene,
+                                                 std::nullopt);
   process::refuse_excessive_work(scene);
   if (setting.empty()) print_setting_choices(scene);
   return scene;

@@ -1,4 +1,4 @@
-// The hopper's figures that Bierwisch 2009, chapter 5, has published, by their ids (E14).
+// The hopper's figures that Bierwisch 2009, chapter 5, has published, by their ids (D01 to D15).
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Laws, grains, turning, flow above a slit and discharge against exact results (Bierwisch 2009; physics
-// reference, E0): numbers that need no bed of powder.
+// Laws, grains, turning, flow above a slit and discharge against exact results (Bierwisch 2009):
+// numbers that need no bed of powder.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -5,23 +5,23 @@
 
 namespace diefill::process::laboratory {
 
-/// Laws, grains, turning, flow above a slit and discharge against exact results (E0 of FIDELITY.md).
+/// Laws, grains, turning, flow above a slit and discharge against exact results.
 LabPlan plan_closed_forms(const LabSetting& setting);
 /// Collisions of model D grains of three sizes, parameters scaled with the size or one of them held
-/// (Bierwisch 2009, section 3.1, E1).
+/// (Bierwisch 2009, section 3.1).
 LabPlan plan_clump_collision(const LabSetting& setting);
-/// Beds that form by falling: overlaps, contacts and solid fraction of two sizes (section 3.2.1, E2).
+/// Beds that form by falling: overlaps, contacts and solid fraction of two sizes (section 3.2.1).
 LabPlan plan_bulk_formation(const LabSetting& setting);
-/// Steady discharge over slit width and grain size (section 3.2.2, E3).
+/// Steady discharge over slit width and grain size (section 3.2.2).
 LabPlan plan_slit_flow(const LabSetting& setting);
-/// Discharge of the moving shoe over its speed, all powder models (sections 4.1.1 and 4.1.2, E4).
+/// Discharge of the moving shoe over its speed, all powder models (sections 4.1.1 and 4.1.2).
 LabPlan plan_shoe_discharge(const LabSetting& setting);
-/// Speeds of grains near the slit while the shoe passes (section 4.1.8, E9).
+/// Speeds of grains near the slit while the shoe passes (section 4.1.8).
 LabPlan plan_slit_fields(const LabSetting& setting);
-/// Discharge of the moving shoe against the prediction from hopper flow (section 5.2.2, E15).
+/// Discharge of the moving shoe against the prediction from hopper flow (section 5.2.2).
 LabPlan plan_moving_shoe(const LabSetting& setting);
 LabPlan plan_long_shoe(const LabSetting& setting);
-/// What Young's modulus changes (section 4.2.2, E11), and damping (section 4.2.3, E12).
+/// What Young's modulus changes (section 4.2.2), and damping (section 4.2.3).
 LabPlan plan_youngs_modulus(const LabSetting& setting);
 LabPlan plan_damping(const LabSetting& setting);
 /// Solid fraction of adhesive beds over diameter and way of packing (Kottlan 2018, section 3.1).
@@ -50,13 +50,13 @@ LabPlan plan_lh220_shear_range(const LabSetting& setting);
 LabPlan plan_rolling_model(const LabSetting& setting);
 /// Half angle and slot of a wedge hopper from a shear test (Kottlan 2018, section 3.4).
 LabPlan plan_hopper_design(const LabSetting& setting);
-/// Angles of the heaps on slider and floor (sections 4.1.3 and 4.1.4, E5).
+/// Angles of the heaps on slider and floor (sections 4.1.3 and 4.1.4).
 LabPlan plan_angle_of_repose(const LabSetting& setting);
 /// Toe and peak of these heaps over the grain size (section 3.2.3).
 LabPlan plan_heap_sizes(const LabSetting& setting);
-/// Mean solid fractions at rest and in the moving shoe (section 4.1.5, E6).
+/// Mean solid fractions at rest and in the moving shoe (section 4.1.5).
 LabPlan plan_mean_fractions(const LabSetting& setting);
-/// Discharge over the depth of powder in the shoe (section 4.1.6, E7).
+/// Discharge over the depth of powder in the shoe (section 4.1.6).
 LabPlan plan_fill_height(const LabSetting& setting);
 /// Stress over strain of beds of enlarged spheres, three methods of scaling (Hu 2024, section 4.2).
 LabPlan plan_uniaxial_compression(const LabSetting& setting);
@@ -83,18 +83,18 @@ LabPlan plan_critical_step(const LabSetting& setting);
 /// Speeds of wet and adhesive spheres in a mixer (Hu 2024, section 4.3).
 LabPlan plan_vertical_mixer(const LabSetting& setting);
 /// Effective friction of walls of spheres, and what it changes in the discharge (Bierwisch 2009, section
-/// 4.2.4, E13).
+/// 4.2.4).
 LabPlan plan_wall_friction(const LabSetting& setting);
 LabPlan plan_wall_discharge(const LabSetting& setting);
-/// Filling level of a narrow ring over azimuth and grain size (Bierwisch 2009, section 6.1, E16).
+/// Filling level of a narrow ring over azimuth and grain size (Bierwisch 2009, section 6.1).
 LabPlan plan_ring_levels(const LabSetting& setting);
 LabPlan plan_ring_maps(const LabSetting& setting);
-/// The same ring while it fills, and how deep later passages move its powder (section 6.4, E18).
+/// The same ring while it fills, and how deep later passages move its powder (section 6.4).
 LabPlan plan_ring_transient(const LabSetting& setting);
 LabPlan plan_ring_displacement(const LabSetting& setting);
-/// Rotational oscillation of the filled ring, one setting varied at a time (section 6.5.2, E20).
+/// Rotational oscillation of the filled ring, one setting varied at a time (section 6.5.2).
 LabPlan plan_ring_oscillation(const LabSetting& setting);
-/// Scatter of the discharge over packings (section 4.2.1, E10).
+/// Scatter of the discharge over packings (section 4.2.1).
 LabPlan plan_packing_scatter(const LabSetting& setting);
 
 }  // namespace diefill::process::laboratory

@@ -10,7 +10,7 @@ namespace diefill::process::laboratory {
 
 struct PublishedFigure {
   std::string id;
-  std::string source, section, place;  ///< "Bierwisch 2009", "E6", "Table 4.4"
+  std::string source, section, place;  ///< "Bierwisch 2009", "section 4.1.5", "Table 4.4"
   std::string model, setting, quantity, unit;
   std::string published;        ///< number as printed, or "trend"
   double lower = 0, upper = 0;  ///< in `unit`, least and largest value that agree; NaN: none

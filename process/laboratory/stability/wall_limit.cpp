@@ -126,11 +126,11 @@ void add_push_through(const std::string& name, const Target& base, int spacings,
 /// The speed at which the run of a sphere against a wall of equal spheres stops by itself.
 results::ExperimentLimit noticed_limit(const engine::GrainShape& sphere) {
   const Target standard{.shape = sphere, .wall_radius = sphere.sphere_radius};
-  const double forbidden = engine::ValidityLimits{}.forbidden_wall_overlap * sphere.sphere_radius;
+  const double forbidden = engine::ValidityLimits{}.largest_wall_overlap * sphere.sphere_radius;
   const double noticed = largest_that_holds(
       0.01, 300, 0.02, [&](double speed) { return fly_at(standard, speed).deepest < forbidden; });
   return {"speed at which the validity monitor stops the run (300: at none tried), spacing 1.6 R_w, R_w = R",
-          noticed, std::nan(""), "m/s", "ValidityLimits::forbidden_wall_overlap"};
+          noticed, std::nan(""), "m/s", "ValidityLimits::largest_wall_overlap"};
 }
 
 void push_through(const ExperimentOptions& options, results::ExperimentResult& result) {

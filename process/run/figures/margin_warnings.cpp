@@ -13,12 +13,12 @@ std::vector<std::string> margin_warnings(const results::FillResult& result) {
   const auto error = result.figures.find("energy_balance_error");
   if (error == result.figures.end()) return lines;
   const double lost = -error->second;
-  if (lost > limits.comfortable_energy_error && lost <= limits.energy_error) {
+  if (lost > limits.warning_energy_error && lost <= limits.energy_error) {
     char text[200];
     std::snprintf(text, sizeof text,
                   "energy balance: %.1f %% of the energy exchanged was lost without explanation; up to "
                   "+-%.1f %% is acceptable",
-                  100 * lost, 100 * limits.comfortable_energy_error);
+                  100 * lost, 100 * limits.warning_energy_error);
     lines.emplace_back(text);
   }
   return lines;

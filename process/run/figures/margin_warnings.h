@@ -9,7 +9,7 @@
 namespace diefill::process {
 
 /// A line for every limit exceeded (results/margins.h), and one where the energy lost exceeds
-/// ValidityLimits::comfortable_energy_error; the run itself warns of energy gained.
+/// ValidityLimits::warning_energy_error; the run itself warns of energy gained.
 std::vector<std::string> margin_warnings(const results::FillResult& result);
 
 }  // namespace diefill::process

@@ -7,7 +7,7 @@ namespace {
 
 constexpr QuantityRule kParticleDiameter = {Dimension::length, "0.1 mm", "1 um", "10 mm"};
 constexpr QuantityRule kViscosity = {Dimension::viscosity, "1.8e-5 Pa s", "1e-7 Pa s", "1 Pa s"};
-constexpr NumberRule kSolidFraction = {0.05, 0.74, true, "0.32"};
+constexpr NumberRule kSolidFraction = {0.05, 0.74, false, "0.32"};
 
 /// The path of the air is fixed in the laboratory, as is the die.
 void refuse_moving_die(TableReader& table, const Scene& scene) {

@@ -58,8 +58,8 @@ TEST(ValidityMonitor, NamesTheGrainWithNoFiniteState) {
 
 TEST(ValidityMonitor, StopsAtForbiddenOverlapAndWarnsOnceBefore) {
   ValidityMonitor monitor;
-  const auto comfortable = pair_with_overlap(0.1, 1e-9);
-  EXPECT_EQ(complaint(monitor, comfortable), "");
+  const auto shallow = pair_with_overlap(0.1, 1e-9);
+  EXPECT_EQ(complaint(monitor, shallow), "");
   EXPECT_TRUE(monitor.warnings().empty());
   const auto doubtful = pair_with_overlap(0.3, 1e-9);
   EXPECT_EQ(complaint(monitor, doubtful), "");
@@ -150,7 +150,7 @@ TEST(ValidityMonitor, StopsAtAGrainThatPassesHalfItsRadiusInAStep) {
 }
 
 TEST(ValidityMonitor, WarnsOnceOfAGrainTooFastForTheStep) {
-  // A collision at 2 m/s allows 2 sqrt(m_eff / k) = 1.2e-5 s; half of that is comfortable.
+  // A collision at 2 m/s allows 2 sqrt(m_eff / k) = 1.2e-5 s; half of that gives no warning.
   auto settings = weightless(Model::a, {.damping_over_radius = 0}, 1);
   const double critical =
       critical_time_step_at_overlap(settings.shape(), grain_contact(settings),
@@ -187,7 +187,7 @@ TEST(ValidityMonitor, StopsWhenGrainsLieInsideEachOther) {
   simulation.add_grains(heap);
   run_steps(simulation, 1);
   ValidityLimits limits;
-  limits.forbidden_overlap = 3;
+  limits.largest_overlap = 3;
   ValidityMonitor monitor(limits);
   const std::string message = complaint(monitor, simulation);
   EXPECT_NE(message.find("49.5 contacts a sphere"), std::string::npos) << message;

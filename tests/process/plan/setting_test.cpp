@@ -73,7 +73,7 @@ TEST(PlanSetting, ThereIsNoneForGrainsOfAFile) {
   add_choices(plan);
   EXPECT_EQ(plan.choices.size(), 1U);
   EXPECT_FALSE(finest_within(plan, 1e6));
-  EXPECT_THROW(settled_scene(plan.scene, Setting::quick), SceneError);
+  EXPECT_THROW(scene_with_setting(plan.scene, Setting::quick), SceneError);
 }
 
 TEST(PlanSetting, PowderBeyondNeedIsLeftOut) {

@@ -24,7 +24,7 @@ constexpr Variant kVariants[] = {
     {"as published", ""},
     {"sudden start", "step.4.ramp = \"1 ms\"\n"},
     {"ramp of 0.25 s", "step.4.ramp = \"0.25 s\"\n"},
-    // Walls that rough wedge more grains under the shoe than are taken out without a word.
+    // Walls that rough wedge more grains under the shoe than a run may lose by default.
     {"wall friction 0.5", "walls.friction = 0.5\nnumerics.most_sheared = 0.02\n"},
     {"wall spacing 0.8", "walls.spacing = 0.8\n"},
     {"4 s", "step.4.duration = \"4 s\"\n"},

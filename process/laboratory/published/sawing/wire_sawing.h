@@ -1,4 +1,4 @@
-// Wire sawing of silicon with a slurry of grains in a DPD fluid (Bierwisch 2009, appendix A, E22).
+// Wire sawing of silicon with a slurry of grains in a DPD fluid (Bierwisch 2009, appendix A).
 #pragma once
 
 #include "process/laboratory/published/scene_experiment.h"

@@ -177,7 +177,8 @@ TEST(Fidelity, HasARowForEveryFigureAndSaysWhyThereIsNoValue) {
 
 TEST(Fidelity, AssemblesSectionsOfASourceAndCountsVerdictsBySource) {
   PublishedFigure one, other;
-  one.id = "N01", one.source = "Bierwisch 2009", one.section = "E6", one.experiment = "mean_fractions";
+  one.id = "N01", one.source = "Bierwisch 2009", one.section = "section 4.1.5",
+  one.experiment = "mean_fractions";
   one.kind = "value";
   other = one;
   other.id = "U01", other.source = "Hu 2024", other.section = "box", other.experiment = "critical_step";
@@ -189,7 +190,9 @@ TEST(Fidelity, AssemblesSectionsOfASourceAndCountsVerdictsBySource) {
   const std::string of_n01 = "\n| N01 |", of_n02 = "\n| N02 |";
   EXPECT_LT(page.find(of_n01), page.find(of_n02));
   EXPECT_LT(page.find(of_n02), page.find("## Hu 2024, box")) << page;
-  EXPECT_NE(page.find("## Bierwisch 2009, E6\n- `diefill lab mean_fractions`: "), std::string::npos) << page;
+  EXPECT_NE(page.find("## Bierwisch 2009, section 4.1.5\n- `diefill lab mean_fractions`: "),
+            std::string::npos)
+      << page;
   EXPECT_NE(page.find("| verdict | Bierwisch 2009 | Hu 2024 | all |"), std::string::npos) << page;
   EXPECT_NE(page.find("| not run | 2 | 1 | 3 |"), std::string::npos) << page;
   EXPECT_NE(page.find("| input | 0 | 1 | 1 |"), std::string::npos) << page;

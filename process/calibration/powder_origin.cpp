@@ -1,4 +1,4 @@
-#include "process/calibration/powder_account.h"
+#include "process/calibration/powder_origin.h"
 
 #include <cmath>
 #include <cstdio>

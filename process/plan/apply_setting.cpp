@@ -1,4 +1,4 @@
-#include "process/plan/settle.h"
+#include "process/plan/apply_setting.h"
 
 #include <utility>
 
@@ -6,20 +6,20 @@
 
 namespace diefill::process::plan {
 
-SettledScene settle(const Scene& scene, const std::optional<Setting>& wanted) {
+SceneWithSetting apply_setting(const Scene& scene, const std::optional<Setting>& wanted) {
   const auto setting = wanted ? wanted : setting_of(scene);
   if (!setting) return {scene, std::nullopt};
   if (const std::string why = why_no_settings(scene); !why.empty())
     throw SceneError(scene.file.string() + ": setting: found \"" + description(*setting) + "\", but " + why +
                      "; remove it");
   Tooling tooling = read_tooling(scene);
-  Scene settled = with_numbers(scene, numbers_of(*setting, scene, tooling.all_cavities()),
+  Scene changed = with_numbers(scene, numbers_of(*setting, scene, tooling.all_cavities()),
                                "setting " + description(*setting));
-  return {std::move(settled), std::move(tooling)};
+  return {std::move(changed), std::move(tooling)};
 }
 
-Scene settled_scene(const Scene& scene, const std::optional<Setting>& wanted) {
-  return settle(scene, wanted).scene;
+Scene scene_with_setting(const Scene& scene, const std::optional<Setting>& wanted) {
+  return apply_setting(scene, wanted).scene;
 }
 
 }  // namespace diefill::process::plan

@@ -9,12 +9,12 @@
 namespace diefill::process::plan {
 
 /// A scene with the numbers of its setting, and its tools where they had to be read for that.
-struct SettledScene {
+struct SceneWithSetting {
   Scene scene;
   std::optional<Tooling> tooling;  ///< without wall spheres
 };
 
-/// As settled_scene(), with the tools that it read.
-SettledScene settle(const Scene& scene, const std::optional<Setting>& wanted);
+/// As scene_with_setting(), with the tools that it read.
+SceneWithSetting apply_setting(const Scene& scene, const std::optional<Setting>& wanted);
 
 }  // namespace diefill::process::plan

@@ -1,5 +1,5 @@
 // What a calibration says about its powder: in powder.toml, and where the agreement means little.
-#include "process/calibration/powder_account.h"
+#include "process/calibration/powder_origin.h"
 
 #include <gtest/gtest.h>
 
