@@ -55,8 +55,8 @@ void add_points(results::Calibration& account, const CalibrationPlan& plan, cons
 void add_emulator_share(results::Calibration& account, const Fit& fit) {
   const double share = mean_emulator_share(*fit.likelihood, fit.region);
   if (!(share > kShareThatMatters)) return;
-  account.remarks.push_back("the simulations are too few: they add " + results::in_significant_digits(share, 2) +
-                            " times the measurements' variance" +
+  account.remarks.push_back("the simulations are too few: they add " +
+                            results::in_significant_digits(share, 2) + " times the measurements' variance" +
                             (account.agrees ? ", so that the powder agrees says little" : ""));
 }
 
