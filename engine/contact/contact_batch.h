@@ -71,6 +71,11 @@ struct ContactBatch {
     if constexpr (Law::kRolls) rolling_power[lane] = reaction.rolling_power;
   }
 
+  /// For laws that roll between grains that do not turn, whose spins nobody brings in.
+  void set_no_spins() {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) relative_spin.set(lane, Vector3{});
+  }
+
   /// Fills the last group with copies of the last pair, so that whole groups hold numbers that make sense.
   void fill_last_group() {
     for (std::size_t lane = count; lane < whole_groups(count); ++lane) {

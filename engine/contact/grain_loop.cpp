@@ -59,6 +59,7 @@ class GrainLoop final : public PairLoop {
     });
     table.make_room_for_history(next_history, count);
     Batch batch;
+    if constexpr (!kTurns && Law::kRolls) batch.set_no_spins();
     BatchTally<Law> batches;
     for (std::size_t done = 0; done < count; done += batch.count) {
       batch.count = std::min(count - done, Batch::kLanes);
@@ -86,6 +87,7 @@ class GrainLoop final : public PairLoop {
   void visit_forces(const Block& block, const ContactScene& scene,
                     const PairForceVisitor& visit) const override {
     Batch batch;
+    if constexpr (!kTurns && Law::kRolls) batch.set_no_spins();
     const GrainPairTable& table = block.grain_pairs;
     std::uint32_t place = GrainPairTable::kNothing;
     batch.count = 0;

@@ -25,6 +25,7 @@ class WallLoop final : public PairLoop {
                   BlockTally& tally) const override {
     if (block.wall_pairs.size() == 0) return;
     Batch batch;
+    if constexpr (!Lever<kArm>::kTurns && Law::kRolls) batch.set_no_spins();
     for (std::size_t body = 0; body < scene.bodies.size(); ++body)
       if (block.wall_first[body] < block.wall_first[body + 1])
         add_body(block, body, scene, batch, workspace, tally);
@@ -33,6 +34,7 @@ class WallLoop final : public PairLoop {
   void visit_forces(const Block& block, const ContactScene& scene,
                     const PairForceVisitor& visit) const override {
     Batch batch;
+    if constexpr (!Lever<kArm>::kTurns && Law::kRolls) batch.set_no_spins();
     batch.count = 1;
     for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body) {
       for (const std::uint32_t p :

@@ -161,6 +161,11 @@ void ValidityMonitor::check_contacts(const Simulation& simulation) {
 
 void ValidityMonitor::check_energy(const Simulation& simulation) {
   const double error = energy_balance_error(simulation);
+  if (std::isnan(error))
+    throw OutOfRange(
+        line("the energy exchanged is no finite number at t = %.6g s: the run is unstable; take a "
+             "shorter time step (now %.3g s)",
+             simulation.time(), simulation.settings().time_step));
   if (error > limits_.energy_error)
     throw OutOfRange(
         line("energy grew by %.1f %% of the energy exchanged with no work to explain it at t = %.6g s "

@@ -17,7 +17,7 @@ double energy_balance_error(const Simulation& simulation) {
   const double turned_over = std::abs(ledger.viscous_work) + std::abs(ledger.tangential_work) +
                              std::abs(ledger.drag_work) + std::abs(ledger.rolling_work) +
                              std::abs(ledger.wall_work) + now.kinetic() + std::abs(now.contacts);
-  return turned_over > 0 ? (now.total() - ledger.expected()) / turned_over : 0;
+  return turned_over == 0 ? 0 : (now.total() - ledger.expected()) / turned_over;  // NaN stays NaN
 }
 
 }  // namespace diefill::engine

@@ -14,6 +14,7 @@
 #include "process/measure/figures/zone_history.h"
 #include "process/measure/measure.h"
 #include "process/results/formatted.h"
+#include "process/results/no_value.h"
 #include "process/results/storage/hash_text.h"
 #include "process/run/figures/margin_warnings.h"
 #include "process/run/figures/measure_cavities.h"
@@ -260,7 +261,11 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   for (auto& line : outcome_text(scene, result)) result.warnings.push_back(std::move(line));
   for (const HeapSpec& heap : scene.measure.heaps) {
     const double slope = heap_slope(result.powder, heap.from, heap.to);
-    if (std::isfinite(slope)) result.figures[heap_figure(heap.name)] = slope;
+    if (std::isfinite(slope))
+      result.figures[heap_figure(heap.name)] = slope;
+    else
+      results::set_no_value(result, heap_figure(heap.name),
+                            "fewer than three columns of the heap's box reach into the middle of its height");
   }
   const std::vector<Zone> zones = zones_in(scene.text);
   add_zone_figures(result, zones);
