@@ -191,10 +191,10 @@ TEST_F(FullScene, KeepsNumericsAndMeasure) {
   EXPECT_EQ(scene_.measure.sections[1].normal, Eigen::Vector3d(-1, 0, 0));
 }
 
-TEST(ShortScene, HasTheDocumentedDefaults) {
+/// The shortest scene, with these lines in [powder] and at the end of [pour].
+Scene short_scene(const std::string& powder, const std::string& pour = {}) {
   const SceneFolder folder;
-  const Scene scene = read_scene(folder.write(R"([powder]
-preset = "Distaloy AE"
+  return read_scene(folder.write("[powder]\n" + powder + R"(
 [[tool]]
 name = "plate"
 role = "plate"
@@ -204,7 +204,11 @@ length_unit = "mm"
 from = ["0 mm", "0 mm", "0 mm"]
 to = ["20 mm", "20 mm", "20 mm"]
 fill_height = "5 mm"
-)"));
+)" + pour));
+}
+
+TEST(ShortScene, HasTheDocumentedDefaults) {
+  const Scene scene = short_scene("preset = \"Distaloy AE\"");
   EXPECT_EQ(scene.title, "scene");
   EXPECT_EQ(scene.seed, 1U);
   EXPECT_EQ(scene.gravity, Eigen::Vector3d(0, 0, -9.81));
@@ -231,21 +235,10 @@ fill_height = "5 mm"
   EXPECT_TRUE(scene.measure.sections.empty());
 }
 
-/// Offset and lattice of a scene's pour, with these lines in [powder] and at the end of [pour].
+/// Offset and lattice of the pour of short_scene.
 std::pair<double, double> start_of(const std::string& powder, const std::string& pour) {
-  const SceneFolder folder;
-  const Scene scene = read_scene(folder.write("[powder]\n" + powder + R"(
-[[tool]]
-name = "plate"
-role = "plate"
-file = "die.stl"
-length_unit = "mm"
-[pour]
-from = ["0 mm", "0 mm", "0 mm"]
-to = ["20 mm", "20 mm", "20 mm"]
-fill_height = "5 mm"
-)" + pour));
-  return {scene.pour.random_offset, scene.pour.lattice_constant};
+  const PourSpec read = short_scene(powder, pour).pour;
+  return {read.random_offset, read.lattice_constant};
 }
 
 TEST(Pour, StartsSpheresThatWouldSettleInColumnsFromRandomPlaces) {
