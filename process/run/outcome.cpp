@@ -75,6 +75,12 @@ bool holds_powder(const ToolSpec& tool) {
   return tool.role == ToolRole::die || tool.role == ToolRole::shoe;
 }
 
+/// True for motions to and fro; a tool that turns on and on stays where it is, too.
+bool shakes(const Step& step) {
+  constexpr double kLong = 1e9;  // s, longer than any period
+  return step.stays() && !step.turning_points(kLong).empty();
+}
+
 /// True if a step shakes a tool that also holds powder outside the cavity.
 bool shakes_bed(const Scene& scene) {
   const auto holds = [&](const std::string& name) {
@@ -83,7 +89,7 @@ bool shakes_bed(const Scene& scene) {
   };
   return std::any_of(scene.steps.begin(), scene.steps.end(), [&](const auto& step) {
     const std::vector<std::string> moved = step->tools();
-    return step->stays() && std::any_of(moved.begin(), moved.end(), holds);
+    return shakes(*step) && std::any_of(moved.begin(), moved.end(), holds);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <QFontMetricsF>
 #include <QTextLayout>
 #include <algorithm>
+#include <regex>
 
 namespace diefill::render {
 namespace {
@@ -26,6 +27,12 @@ int line_count(const QString& text, const QFont& font, double width) {
 QString shorten(QString text, const QFont& font, double width) {
   while (text.size() > 1 && line_count(text + QChar(0x2026), font, width) > kMaxLines) text.chop(1);
   return text.trimmed() + QChar(0x2026);
+}
+
+/// Whether a key of scenes is named, such as powder.friction, which is spelt as there.
+bool names_key(const std::string& text) {
+  const std::regex key("[A-Za-z][._][A-Za-z]");
+  return std::regex_search(text, key);
 }
 
 }  // namespace
@@ -102,8 +109,7 @@ void draw_centred(QPainter& painter, const QPointF& centre, const QString& text,
 
 QString axis_label(const std::string& name, const std::string& unit) {
   QString text = QString::fromStdString(name);
-  const bool has_key = name.find_first_of("._") != std::string::npos;  // spelt as in the scene
-  if (text.size() > 1 && !has_key) text[0] = text[0].toUpper();
+  if (text.size() > 1 && !names_key(name)) text[0] = text[0].toUpper();
   QString written = QString::fromStdString(unit);
   if (unit.empty() || unit == "1" || unit == "-") written = QStringLiteral("–");
   if (unit == "deg" || unit == "degree" || unit == "degrees") written = QStringLiteral("°");

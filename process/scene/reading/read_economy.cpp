@@ -17,10 +17,9 @@ constexpr NumberRule kWakeForce = {0, 0.9, true, "0.5"};
 void refuse_while_shaken(TableReader& table, const Scene& scene, const std::string& key) {
   for (const auto& step : scene.steps)
     if (step->stays() && !step->tools().empty())
-      table.reject(
-          key,
-          "the step \"" + step->description() +
-              "\" vibrates a tool, and sleeping powder would not move with it; remove the key or the step");
+      table.reject(key, "the step \"" + step->description() +
+                            "\" shakes or turns a tool, and sleeping powder would not move with it; remove "
+                            "the key or the step");
 }
 
 void refuse_period_across(TableReader& table, const Scene& scene, int axis) {

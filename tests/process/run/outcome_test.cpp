@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "process/machine/motions/rotation.h"
 #include "process/machine/motions/vibration.h"
 
 namespace diefill::process {
@@ -15,8 +16,18 @@ Scene shaken(const std::string& name) {
     scene.tools.emplace_back().name = tool;
     scene.tools.back().role = role;
   }
+  Oscillation oscillation;
+  oscillation.frequency = 32;
   scene.steps.push_back(
-      std::make_shared<Vibration>(std::vector<std::string>{name}, Eigen::Vector3d::UnitX(), Oscillation{}));
+      std::make_shared<Vibration>(std::vector<std::string>{name}, Eigen::Vector3d::UnitX(), oscillation));
+  return scene;
+}
+
+/// The same with a tool that turns on and on.
+Scene turned(const std::string& name) {
+  Scene scene = shaken(name);
+  scene.steps = {
+      std::make_shared<Rotation>(std::vector<std::string>{name}, RotationAxis{}, 1.0, RampTimes{})};
   return scene;
 }
 
@@ -35,6 +46,10 @@ TEST(Outcome, OfAShakenDieTellsThatTheBedOutsideIsPackedToo) {
 TEST(Outcome, IsSilentWhereOnlyThePunchIsShakenOrNoFillRatioIsKnown) {
   EXPECT_TRUE(outcome_text(shaken("lower punch"), filled_by_ratio()).empty());
   EXPECT_TRUE(outcome_text(shaken("die"), results::FillResult()).empty());
+}
+
+TEST(Outcome, OfADieThatTurnsIsNotThatOfShaking) {
+  EXPECT_TRUE(outcome_text(turned("die"), filled_by_ratio()).empty());
 }
 
 /// A cavity of 1 cm3 with so many grains in it among others, and this share of it solid.

@@ -92,8 +92,8 @@ std::set<std::string> beginnings_of(const LabPlan& plan) {
 
 TEST(ShearCell, RunsOfAPowderShareTheirPreShear) {
   const LabPlan plan = plan_shear_tester({});
-  EXPECT_EQ(plan.runs.size(), 10U);
-  EXPECT_EQ(beginnings_of(plan).size(), 2U);
+  EXPECT_EQ(plan.runs.size(), 12U);           // five stresses, and one at half the speed
+  EXPECT_EQ(beginnings_of(plan).size(), 4U);  // of two powders at two speeds
 }
 
 /// Those of the plan's first runs.
