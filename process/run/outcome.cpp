@@ -75,7 +75,7 @@ bool holds_powder(const ToolSpec& tool) {
   return tool.role == ToolRole::die || tool.role == ToolRole::shoe;
 }
 
-/// True for motions to and fro; a tool that turns on and on stays where it is, too.
+/// True for oscillations; a tool that turns on and on stays where it is, too.
 bool shakes(const Step& step) {
   constexpr double kLong = 1e9;  // s, longer than any period
   return step.stays() && !step.turning_points(kLong).empty();
