@@ -26,8 +26,8 @@ TEST(Ranks, FillTheDieAsThreadsDo) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto report = die.report();
   EXPECT_EQ(report["ranks"], 2);
-  // One grain in some hundreds: the passage is chaotic.
-  EXPECT_NEAR(report["filled_mass_kg"].get<double>(), built_in, 0.05 * built_in);
+  // Four grains of 42: the passage is chaotic. Means over eight seeds: PassageOnRanks, a slow test.
+  EXPECT_NEAR(report["filled_mass_kg"].get<double>(), built_in, 0.1 * built_in);
   EXPECT_LT(std::abs(report["energy_balance_error"].get<double>()), 0.01);
 }
 
