@@ -25,6 +25,13 @@ bool ForceControl::done(const ControlState& state) const {
   return state.steady.steady > 0;
 }
 
+bool ForceControl::is_at_its_limit(const ControlState& state) const {
+  if (targets.empty() || state.passed >= targets.size() || state.reached >= 0) return false;
+  constexpr double kRounding = 1e-9;
+  if (wanted(state) > state.last) return state.coordinate >= travel * (1 - kRounding);
+  return state.coordinate <= -back * (1 - kRounding);
+}
+
 double ForceControl::resistance(const Eigen::Vector3d& force, const Eigen::Vector3d& torque,
                                 const Eigen::Vector3d& place) const {
   if (!turns) return -axis.direction.dot(force);

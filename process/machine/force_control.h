@@ -62,6 +62,8 @@ struct ForceControl {
   /// Whether the step is over: all targets were held and the retreat is over, the tool has gone its travel,
   /// or its resistance is steady.
   bool done(const ControlState& state) const;
+  /// Whether the tool has gone all the way that it has while the powder bears less, or more, than the target.
+  bool is_at_its_limit(const ControlState& state) const;
   /// The powder's resistance, N (N m), to a body on which it acts with `force` (N) and `torque` (N m, about
   /// `place`, m).
   double resistance(const Eigen::Vector3d& force, const Eigen::Vector3d& torque,

@@ -4,6 +4,7 @@
 #include "process/powder/material.h"
 #include "process/results/formatted.h"
 #include "process/results/rounding.h"
+#include "process/results/word_list.h"
 #include "process/run/schedule.h"
 #include "process/tooling/die_frame.h"
 #include "process/tooling/half_model.h"
@@ -28,6 +29,26 @@ bool Schedule::lets_powder_in(std::size_t k, const engine::Simulation& simulatio
   return static_cast<double>(state.grains_fed) > due - kLag;
 }
 
+/// Whether step k has brought its tools to the end of their way before the powder bears what it is to bear.
+bool Schedule::is_held_up(std::size_t k) const {
+  const ForceControl* law = stages_.steps[k]->control();
+  return law != nullptr && law->is_at_its_limit(state_.steps[k].control);
+}
+
+std::string Schedule::why_held_up(std::size_t k) const {
+  const ForceControl& law = *stages_.steps[k]->control();
+  const ControlState& state = state_.steps[k].control;
+  const char* unit = law.turns ? "N m" : "N";
+  const bool forward = law.wanted(state) > state.last;
+  return results::and_list(stages_.steps[k]->tools()) +
+         results::formatted(
+             " at the end of the way that \"%s\" allows: waits for %.3g %s, but the powder bears %.3g %s",
+             !forward    ? "back"
+             : law.turns ? "angle"
+                         : "travel",
+             law.wanted(state), unit, state.last, unit);
+}
+
 /// Whether step k moves something, or ends or starts as time passes or powder comes to rest.
 bool Schedule::goes_on_by_itself(std::size_t k, const engine::Simulation& simulation) const {
   const Step& step = *stages_.steps[k];
@@ -35,11 +56,11 @@ bool Schedule::goes_on_by_itself(std::size_t k, const engine::Simulation& simula
   const double now = simulation.time();
   if (state.has_ended()) return false;
   if (state.is_pending()) return step.plan.start && time_fulfils(*step.plan.start, now);
-  if (!step.tools().empty() || state.stop_requested >= 0) return true;
+  if (state.stop_requested >= 0 || (!step.tools().empty() && !is_held_up(k))) return true;
   if (!step.open_ended() && step.duration()) return true;
   if (step.inflow() != nullptr && lets_powder_in(k, simulation)) return true;
   if (step.plan.until) return time_fulfils(*step.plan.until, now);
-  return step.inflow() == nullptr;  // waits for rest
+  return step.inflow() == nullptr && step.tools().empty();  // waits for rest
 }
 
 bool Schedule::waits_for_powder(const engine::Simulation& simulation) const {
@@ -69,6 +90,8 @@ std::string Schedule::unmet_condition(const engine::Simulation& simulation) cons
     return condition->where + results::formatted(" waits for %.3g N on ", *condition->force) + condition->on +
            results::formatted(", which bears %.3g N", mean_force(condition->on));
   }
+  for (std::size_t k = 0; k < stages_.size(); ++k)
+    if (state_.steps[k].is_active() && is_held_up(k)) return why_held_up(k);
   return description() + " waits for room to let powder in";
 }
 

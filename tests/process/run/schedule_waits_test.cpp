@@ -5,6 +5,7 @@
 #include "process/machine/actions/powder_inflow.h"
 #include "process/machine/actions/settle.h"
 #include "process/machine/actions/wait.h"
+#include "process/machine/force_control.h"
 #include "process/machine/motions/vibration.h"
 #include "process/powder/material.h"
 #include "process/run/schedule.h"
@@ -106,6 +107,51 @@ TEST(ScheduleWaits, ForAStartThatAMassHoldsBack) {
   held->plan.start = for_a_mass();
   EXPECT_TRUE(Waiting({std::make_shared<Wait>(0.01), held}).for_powder());
   EXPECT_FALSE(Waiting({std::make_shared<Wait>(1.0), held}).for_powder());
+}
+
+/// A piston or rotor that presses against nothing, until the powder bears 5 N or 5 N m.
+std::shared_ptr<Step> pressing(bool turns, std::vector<double> targets = {5}) {
+  ForceControl control;
+  control.turns = turns;
+  control.axis.direction = -Eigen::Vector3d::UnitZ();
+  control.targets = std::move(targets);
+  control.pause = 0;
+  control.speed_limit = 0.1;
+  control.integral_time = 0.02;
+  control.travel = turns ? std::numeric_limits<double>::infinity() : 1e-3;
+  return std::make_shared<ControlledTool>(std::vector<std::string>{"die"}, control, std::nullopt);
+}
+
+TEST(ScheduleWaits, ForAForceThatATravelIsTooShortFor) {
+  Waiting waiting({pressing(false)}, 0.01);
+  EXPECT_FALSE(waiting.for_powder()) << "it is on its way";
+  waiting.go_on(0.04);
+  EXPECT_TRUE(waiting.for_powder());
+  EXPECT_EQ(waiting.unmet(),
+            "die at the end of the way that \"travel\" allows: waits for 5 N, but the powder bears 0 N");
+}
+
+TEST(ScheduleWaits, NotWhereARotorTurnsOn) {
+  EXPECT_FALSE(Waiting({pressing(true)}, 0.2).for_powder());
+}
+
+TEST(ForceControl, IsAtItsLimitWhereItCannotUnloadFurther) {
+  ForceControl control;
+  control.turns = true;
+  control.targets = {0};
+  control.pause = 0;
+  control.back = 0.1;
+  control.travel = std::numeric_limits<double>::infinity();
+  ControlState state;
+  state.last = 2e-3;
+  state.coordinate = -0.05;
+  EXPECT_FALSE(control.is_at_its_limit(state));
+  state.coordinate = -0.1;
+  EXPECT_TRUE(control.is_at_its_limit(state));
+  state.last = -1e-3;
+  EXPECT_FALSE(control.is_at_its_limit(state)) << "it turns forward again";
+  state.passed = 1;
+  EXPECT_FALSE(control.is_at_its_limit(state));
 }
 
 }  // namespace
