@@ -127,9 +127,9 @@ void ValidityMonitor::check_speed(const Simulation& simulation) {
   if (way > limits_.largest_displacement)
     throw OutOfRange(
         line("%s moves at %.3g m/s at t = %.6g s, %.2f of its sphere radius in a step (limit %.2f): it would "
-             "pass through other grains undetected; the run is unstable or the time step of %.3g s too long: "
-             "take a shorter one",
-             who.c_str(), fastest.speed, simulation.time(), way, limits_.largest_displacement,
+             "pass through other grains undetected; the run is unstable or %s%.3g s too long: take a shorter "
+             "one",
+             who.c_str(), fastest.speed, simulation.time(), way, limits_.largest_displacement, kStepTooLong,
              settings.time_step));
   const double critical = critical_of_impact(simulation, 2 * fastest.speed);
   if (settings.time_step > limits_.warning_step * critical)
@@ -169,9 +169,9 @@ void ValidityMonitor::check_energy(const Simulation& simulation) {
   if (error > limits_.energy_error)
     throw OutOfRange(
         line("energy grew by %.1f %% of the energy exchanged with no work to explain it at t = %.6g s "
-             "(limit %.1f %%: STABILITY.md, time step): the time step of %.3g s is too long%s",
-             100 * error, simulation.time(), 100 * limits_.energy_error, simulation.settings().time_step,
-             fastest_text(simulation).c_str()));
+             "(limit %.1f %%: STABILITY.md, time step): %s%.3g s is too long%s",
+             100 * error, simulation.time(), 100 * limits_.energy_error, kStepTooLong,
+             simulation.settings().time_step, fastest_text(simulation).c_str()));
   if (error > limits_.warning_energy_error)
     warn_once(state_.energy,
               line("energy grew by %.1f %% of the energy exchanged with no work to explain it by t = %.6g s; "

@@ -12,6 +12,9 @@ namespace diefill::engine {
 
 class Simulation;
 
+/// Part of the message of a run that ended because its time step is too long; the step follows.
+inline constexpr const char* kStepTooLong = "the time step of ";
+
 /// Limits of the method, each found by experiment (STABILITY.md). Between those of the warning and the
 /// largest allowed a run continues with a warning in its report.
 struct ValidityLimits {

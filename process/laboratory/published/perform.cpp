@@ -7,6 +7,7 @@
 #include "process/input/toml_string.h"
 #include "process/laboratory/published/charts_over_seeds.h"
 #include "process/laboratory/published/custom_runs.h"
+#include "process/laboratory/published/halved_steps.h"
 #include "process/laboratory/published/lab_powder.h"
 #include "process/results/figure_table.h"
 #include "process/results/storage/result_file.h"
@@ -20,8 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Scenes of the runs; of those that the folder lists, at half their time step.
 std::vector<Variant> variants_of(const SceneExperiment& experiment, const LabPlan& plan,
-                                 const LabSetting& setting) {
+                                 const LabSetting& setting, const fs::path& directory) {
+  const std::set<std::string> halved = runs_at_half_step(directory);
   std::vector<std::string> names;
   for (const LabRun& run : plan.runs) names.push_back(run.name);
   const auto folders = folder_names(names);
@@ -31,7 +34,9 @@ std::vector<Variant> variants_of(const SceneExperiment& experiment, const LabPla
     SceneChanges changes = plan.runs[k].changes;
     changes.source = "experiment \"" + names[k] + '"';
     changes.under = line("title", toml_string(experiment.name + ": " + names[k])) + changes.under;
-    variants.push_back({names[k], folders[k], changed_scene(load_scene_text(file), file, changes)});
+    Scene scene = changed_scene(load_scene_text(file), file, changes);
+    if (halved.contains(names[k])) scene = at_half_step(scene);
+    variants.push_back({names[k], folders[k], std::move(scene)});
   }
   return variants;
 }
@@ -183,6 +188,18 @@ results::LabRow row_of(const LabQuantity& quantity, const FinishedRuns& runs,
   return row;
 }
 
+/// Makes the runs, those whose time step proves too long a second time.
+results::JobList make_runs(const SceneExperiment& experiment, const LabPlan& plan, const LabSetting& setting,
+                           const LabJobs& jobs) {
+  results::JobList list;
+  do {
+    const auto variants = variants_of(experiment, plan, setting, jobs.directory);
+    list = write_jobs(jobs.directory, {experiment.name, variants, jobs.seeds, {}}, jobs.on_note);
+    run_jobs(jobs.directory, list, jobs.options);
+  } while (halve_steps_that_were_too_long(jobs.directory, list, jobs.on_note));
+  return list;
+}
+
 }  // namespace
 
 void take_published(const PublishedFigure& figure, results::LabRow& row) {
@@ -204,7 +221,7 @@ std::string verdict_of(const results::LabRow& row) {
 bool holds_runs_of_other_scenes(const SceneExperiment& experiment, const LabSetting& setting,
                                 const fs::path& directory, int seeds) {
   const WantedJobs wanted{
-      experiment.name, variants_of(experiment, experiment.plan(setting), setting), seeds, {}};
+      experiment.name, variants_of(experiment, experiment.plan(setting), setting, directory), seeds, {}};
   return !find_jobs(directory, wanted).other_scenes.empty();
 }
 
@@ -213,13 +230,14 @@ LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
   const LabPlan plan = experiment.plan(setting);
   FoundJobs found;
   if (!plan.runs.empty()) {
-    const WantedJobs wanted{experiment.name, variants_of(experiment, plan, setting), jobs.seeds, {}};
-    if (jobs.run) {
-      found.list = write_jobs(jobs.directory, wanted, jobs.on_note);
-      run_jobs(jobs.directory, found.list, jobs.options);
-    } else {
-      found = find_jobs(jobs.directory, wanted);
-    }
+    const auto find = [&] {
+      const auto variants = variants_of(experiment, plan, setting, jobs.directory);
+      return find_jobs(jobs.directory, {experiment.name, variants, jobs.seeds, {}});
+    };
+    if (jobs.run)
+      found.list = make_runs(experiment, plan, setting, jobs);
+    else
+      found = find();
   }
   if (jobs.run) make_custom_runs(plan.custom_runs, jobs);
   const FinishedRuns runs(jobs.directory, found, plan.custom_runs, jobs.seeds);

@@ -57,7 +57,7 @@ LabRun run_of(const ShearTest& test, double stress) {
   set += line("step.preshear.steady", "{ over = " + degrees(filled.angle(kStretch)) + ", within = 0.03 }");
   set += line("step.preshear.angle", degrees(filled.angle(test.longest)));
   set += line("step.release.speed_limit", speed);
-  set += line("step.release.back", degrees(filled.angle(0.5)));
+  set += line("step.release.back", degrees(filled.angle(test.back)));
   set += line("step.release.pause", hold);
   set += line("step.unload.force", newtons(filled.force(stress)));
   set += line("step.unload.travel", millimetres(kTravel * d));
