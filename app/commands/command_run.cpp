@@ -180,6 +180,7 @@ int run(const RunArguments& arguments) {
   process::RunOptions options = options_of(arguments, scene);
   options.inputs = files;
   require_directory(options.directory);
+  require_writable(options.directory);  // set-up may take minutes
   if (!arguments.shared_starts.empty()) require_directory(arguments.shared_starts, "--beginnings");
   if (arguments.samples.powders > 0) return run_samples(arguments, scene, options.directory);
   refuse_inputs_to_be_moved(scene, options.directory);

@@ -45,6 +45,12 @@ std::string without_stem(std::string text, const std::string& stem) {
 void copy_sample(const fs::path& folder, const std::string& stem) {
   const fs::path samples = process::sample_tools_folder() / "small_dies";
   const std::string prefix = stem + '_';
+  std::error_code unknown;
+  if (!fs::exists(samples, unknown))
+    throw std::runtime_error(
+        "found no " + samples.string() +
+        "; the samples lie beside an installed program or in its source tree: start that one, or go to the "
+        "folder that holds sample_tools");
   const auto text = process::load_text_file(samples / (stem + ".toml"), kSample);
   results::write_text_atomically(folder / "fill.toml", without_stem(text, stem));
   for (const auto& entry : fs::directory_iterator(samples)) {

@@ -113,4 +113,10 @@ std::string syntax_hint(const std::string& line, const std::string& reason) {
   return {};
 }
 
+std::string change_hint(const std::string& line, const std::string& reason) {
+  if (reason.find("cannot redefine") == std::string::npos) return syntax_hint(line, reason);
+  return "; an earlier change gives this key, or the list or table that it is in, as a whole: give the final "
+         "value there";
+}
+
 }  // namespace diefill::process

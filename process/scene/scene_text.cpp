@@ -60,7 +60,7 @@ toml::table parsed(const std::string& text, const std::filesystem::path& file, c
     const std::string reason = one_line(error.description(), 200);
     throw SceneError(file.string() + ':' + std::to_string(at.line) + ':' + std::to_string(at.column) +
                      ": found `" + one_line(line) + "`, which is not valid TOML: " + reason +
-                     syntax_hint(line, reason));
+                     (called.empty() ? syntax_hint(line, reason) : change_hint(line, reason)));
   }
 }
 

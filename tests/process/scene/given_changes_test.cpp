@@ -39,6 +39,13 @@ TEST(GivenChanges, KeysAreTakenAloneAndBelowTheHeaderOfTheirTable) {
   EXPECT_EQ(complaint({"step = []"}), "");
 }
 
+TEST(GivenChanges, OfWhatAnEarlierOneGivesAsAWholeAreRefusedWithTheRemedy) {
+  const std::string message = complaint({"pour.from = [0, 0, 0]", "pour.from.0 = 2"});
+  for (const char* part : {"--set:2:", "found `pour.from.0 = 2`", "an earlier change gives this key",
+                           "as a whole: give the final value there"})
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
 TEST(KeyPath, IsTheNameOfOneKeyAndNothingElse) {
   for (const char* key : {"seed", "powder.friction", "step.1.velocity", "tool.\"core rod\".position"})
     EXPECT_TRUE(is_key_path(key)) << key;
