@@ -17,7 +17,7 @@ namespace {
 /// Height of every grain, mm, at the first instant kept, by its identity: the layer it comes from.
 std::vector<double> origin_layers(const results::FillResult& result, const results::FillResult& whole) {
   if (whole.instants.empty()) process::result_at(whole, -1);  // says what is missing
-  const auto& first = whole.instants.front();
+  const auto first = process::powder_at(whole, whole.instants.front(), false).powder;
   std::vector<std::pair<std::uint64_t, double>> heights;
   for (std::size_t k = 0; k < first.id.size(); ++k)
     heights.emplace_back(first.id[k], 1e3 * first.position[k].z());

@@ -53,6 +53,16 @@ VoxelGrid fine_grid(const CavityRegion& found, const Box& space) {
   return grid_from({found.box.lower.x(), found.box.lower.y(), space.upper.z()}, edge, box);
 }
 
+Footprint footprint_of(const CavityRegion& region) {
+  const VoxelGrid& grid = region.grid;
+  Footprint footprint{grid.origin.head<2>(), grid.edge, grid.counts.head<2>(), {}};
+  const std::size_t layer = grid.index(0, 0, 1);
+  footprint.covered.assign(layer, 0);
+  for (std::size_t n = 0; n < region.inside.size(); ++n)
+    if (region.inside[n] != 0) footprint.covered[n % layer] = 1;
+  return footprint;
+}
+
 // The shape of a region from the tools' outlines; not found where there are none.
 Cavity read_off(const CavityRegion& region, const std::vector<const Mesh*>& solids, double fill_plane) {
   Cavity cavity;
@@ -62,6 +72,7 @@ Cavity read_off(const CavityRegion& region, const std::vector<const Mesh*>& soli
   cavity.found = true;
   cavity.box = region.box;
   cavity.volume = region.volume;
+  cavity.footprint = footprint_of(region);
   const auto ring = fit_ring(slices, region.grid.edge);
   const auto narrowest = ring ? ring->narrowest : narrowest_width(region, layers, slices);
   cavity.narrowest_width = narrowest.width;
@@ -78,6 +89,13 @@ Cavity read_off(const CavityRegion& region, const std::vector<const Mesh*>& soli
 }
 
 }  // namespace
+
+bool Footprint::covers(const Eigen::Vector2d& place) const {
+  const Eigen::Array2d at = ((place - origin) / edge).array().floor();
+  if (edge <= 0 || (at < 0).any() || (at >= counts.array().cast<double>()).any()) return false;
+  const auto x = static_cast<std::size_t>(at.x()), y = static_cast<std::size_t>(at.y());
+  return covered[y * static_cast<std::size_t>(counts.x()) + x] != 0;
+}
 
 std::vector<Cavity> find_cavities(const std::vector<const Mesh*>& solids, double fill_plane) {
   std::vector<Cavity> cavities;

@@ -8,11 +8,23 @@
 // the tools' box.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "geometry/mesh/mesh.h"
 
 namespace diefill::geometry {
+
+/// Where a cavity is, seen from above: squares from voxel to voxel.
+struct Footprint {
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< m, lower corner
+  double edge = 0;                                   ///< m, of a square
+  Eigen::Vector2i counts = Eigen::Vector2i::Zero();
+  std::vector<std::uint8_t> covered;  ///< 1 where the cavity reaches at any height; x runs fastest
+
+  /// Whether the cavity lies above or below this place (m). False beyond the squares.
+  bool covers(const Eigen::Vector2d& place) const;
+};
 
 /// Shape of a cavity. Lengths in m, laboratory frame.
 struct Cavity {
@@ -27,6 +39,7 @@ struct Cavity {
   double narrowest_width = 0;   ///< smallest horizontal width over the height (thickness between facing
                                 ///< walls), without the tips of tapering ends (up to 2 % of the volume)
   Eigen::Vector3d narrowest_place = Eigen::Vector3d::Zero();
+  Footprint footprint;
 };
 
 /// Finds the cavities below height `fill_plane` (m) between `solids` (laboratory frame, closed, outward), the

@@ -1,6 +1,7 @@
 #include "process/measure/cavity_position.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -30,6 +31,11 @@ bool lies_in_cavity(const results::CavityState& cavity, const Eigen::Vector3d& p
   if (!in_box || !cavity.is_ring) return in_box;
   const double radius = ring_position(cavity, point).radius;
   return radius >= cavity.inner_radius && radius <= cavity.outer_radius;
+}
+
+bool lies_in_any_cavity(const std::vector<results::CavityState>& cavities, const Eigen::Vector3d& point) {
+  return std::any_of(cavities.begin(), cavities.end(),
+                     [&](const results::CavityState& cavity) { return lies_in_cavity(cavity, point); });
 }
 
 std::vector<std::uint8_t> grains_in_cavity(const results::CavityState& cavity,

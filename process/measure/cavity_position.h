@@ -9,6 +9,9 @@ namespace diefill::process {
 /// empty box holds nothing.
 bool lies_in_cavity(const results::CavityState& cavity, const Eigen::Vector3d& point);
 
+/// True where it lies in one of them.
+bool lies_in_any_cavity(const std::vector<results::CavityState>& cavities, const Eigen::Vector3d& point);
+
 /// For every grain 1 if its centre lies in the cavity, otherwise 0: GrainSolidFraction::in_cavity.
 std::vector<std::uint8_t> grains_in_cavity(const results::CavityState& cavity,
                                            const results::PowderState& powder);

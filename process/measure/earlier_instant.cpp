@@ -7,6 +7,7 @@
 #include "process/measure/measure.h"
 #include "process/results/formatted.h"
 #include "process/results/instant_powder.h"
+#include "process/results/moved_frame.h"
 
 namespace diefill::process {
 namespace {
@@ -26,19 +27,8 @@ void refuse(const results::FillResult& result, double time) {
       seconds(result.instants.back().time) + ", and the end at " + seconds(result.powder.time));
 }
 
-}  // namespace
-
-results::ToolState tool_at(const results::ToolState& tool, const results::Instant& instant,
-                           std::size_t number) {
-  const Eigen::Vector4d& turn = instant.tool_orientation.at(number);
-  const Eigen::Matrix3d rotation = Eigen::Quaterniond(turn[0], turn[1], turn[2], turn[3]).toRotationMatrix();
-  results::ToolState moved = tool;
-  for (auto* points : {&moved.vertices, &moved.wall_sphere_centres})
-    for (auto& point : *points) point = rotation * point + instant.tool_displacement.at(number);
-  return moved;
-}
-
-results::FillResult result_at(const results::FillResult& result, double time, bool with_solid_fraction) {
+/// Null: that is the end. Throws as result_at() does.
+const results::Instant* nearest_instant(const results::FillResult& result, double time) {
   const results::Instant* nearest = nullptr;
   double distance = std::abs(result.powder.time - time), spacing = 0.02 * result.powder.time;
   for (const auto& instant : result.instants) {
@@ -49,6 +39,40 @@ results::FillResult result_at(const results::FillResult& result, double time, bo
   }
   if (result.instants.size() > 1) spacing = result.instants[1].time - result.instants[0].time;
   if (distance > spacing) refuse(result, time);
+  return nearest;
+}
+
+Eigen::Matrix3d turn_of(const results::Instant& instant, std::size_t tool) {
+  const Eigen::Vector4d& turn = instant.tool_orientation.at(tool);
+  return Eigen::Quaterniond(turn[0], turn[1], turn[2], turn[3]).toRotationMatrix();
+}
+
+/// The die's frame at the instant, seen from the frame that the instant is kept in.
+results::MovedFrame frame_of_die(const results::FillResult& result, const results::Instant& instant) {
+  for (std::size_t n = 0; n < result.tools.size(); ++n)
+    if (result.tools[n].role == "die") return {turn_of(instant, n), instant.tool_displacement.at(n)};
+  return {Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
+}
+
+std::vector<results::ToolState> tools_at(const results::FillResult& result, const results::Instant& instant) {
+  std::vector<results::ToolState> tools;
+  for (std::size_t n = 0; n < result.tools.size(); ++n) tools.push_back(tool_at(result.tools[n], instant, n));
+  return tools;
+}
+
+}  // namespace
+
+results::ToolState tool_at(const results::ToolState& tool, const results::Instant& instant,
+                           std::size_t number) {
+  const Eigen::Matrix3d rotation = turn_of(instant, number);
+  results::ToolState moved = tool;
+  for (auto* points : {&moved.vertices, &moved.wall_sphere_centres})
+    for (auto& point : *points) point = rotation * point + instant.tool_displacement.at(number);
+  return moved;
+}
+
+results::FillResult result_at(const results::FillResult& result, double time, bool with_solid_fraction) {
+  const results::Instant* nearest = nearest_instant(result, time);
   if (nearest == nullptr) return result;
   results::FillResult earlier = result;
   earlier.maps.clear();
@@ -64,13 +88,27 @@ results::FillResult result_at(const results::FillResult& result, double time, bo
   return earlier;
 }
 
+results::FillResult result_seen_at(const results::FillResult& result, double time, bool with_solid_fraction) {
+  results::FillResult seen = result_at(result, time, with_solid_fraction);
+  if (const results::Instant* nearest = nearest_instant(result, time)) {
+    seen.powder = results::powder_at(result.powder, *nearest);
+    seen.tools = tools_at(result, *nearest);
+  }
+  return seen;
+}
+
 results::FillResult powder_at(const results::FillResult& result, const results::Instant& instant,
                               bool with_solid_fraction) {
+  const results::MovedFrame die = frame_of_die(result, instant);
   results::FillResult then;
   then.cavity = result.cavity;
-  then.powder = results::powder_at(result.powder, instant);
-  for (std::size_t n = 0; n < result.tools.size(); ++n)
-    then.tools.push_back(tool_at(result.tools[n], instant, n));
+  then.other_cavities = result.other_cavities;
+  then.powder = die.powder(results::powder_at(result.powder, instant));
+  then.tools = tools_at(result, instant);
+  if (!die.at_initial_pose())
+    for (auto& tool : then.tools)
+      for (auto* points : {&tool.vertices, &tool.wall_sphere_centres})
+        for (auto& point : *points) point = die.point(point);
   if (with_solid_fraction) then.solid_fraction = measure_solid_fraction(then.powder, then.tools, then.cavity);
   return then;
 }

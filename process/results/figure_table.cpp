@@ -93,9 +93,9 @@ constexpr std::array kFigures = {
     Figure{"slope_of_*_deg", "deg", "slope of the heap's surface to the horizontal", "slope of *",
            ShownAs{"deg", 1, 3}},
     // Zones of [measure].
-    Figure{"filled_mass_in_*_kg", "kg", "mass of the grains whose centre lies in the zone of the cavity",
+    Figure{"filled_mass_in_*_kg", "kg", "mass of the grains whose centre lies in the zone and in a cavity",
            "filled mass of model powder in *", kGrams},
-    Figure{"mass_share_in_*", "1", "mass in the zone over that in the cavity", "share of the powder in *",
+    Figure{"mass_share_in_*", "1", "mass in the zone over that in all cavities", "share of the powder in *",
            kPercent},
     Figure{"solid_fraction_in_*", "1", "solid over cell volume of the zone's grains below the surface",
            "solid fraction in *", kRatio},

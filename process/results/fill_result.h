@@ -204,15 +204,16 @@ struct SolidFractionSummary {
 };
 
 /// The powder and the tools' places at an earlier instant of the run. Arrays over the grains there were, and
-/// over FillResult::tools.
+/// over FillResult::tools. In the laboratory frame where the die ended at its initial position, else in the
+/// frame of the die as it was then.
 struct Instant {
   double time = 0;                                 ///< s since the start of the scene
   std::vector<std::uint64_t> id;                   ///< identity of the grain
-  std::vector<Eigen::Vector3d> position;           ///< m, laboratory frame
-  std::vector<Eigen::Vector4d> orientation;        ///< unit quaternion (w, x, y, z), body to laboratory
-  std::vector<Eigen::Vector3d> velocity;           ///< m/s
+  std::vector<Eigen::Vector3d> position;           ///< m
+  std::vector<Eigen::Vector4d> orientation;        ///< unit quaternion (w, x, y, z), from the body
+  std::vector<Eigen::Vector3d> velocity;           ///< m/s, relative to the laboratory
   std::vector<Eigen::Vector4d> tool_orientation;   ///< unit quaternion from the tool's place in FillResult
-  std::vector<Eigen::Vector3d> tool_displacement;  ///< m, added after turning about the laboratory's origin
+  std::vector<Eigen::Vector3d> tool_displacement;  ///< m, added after turning about the origin
   std::vector<std::uint8_t> kind = {};             ///< as PowderState::kind
 };
 

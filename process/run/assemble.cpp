@@ -18,6 +18,7 @@
 #include "process/results/storage/hash_text.h"
 #include "process/run/figures/margin_warnings.h"
 #include "process/run/figures/measure_cavities.h"
+#include "process/run/kept_instants.h"
 #include "process/run/outcome.h"
 #include "process/run/powder_state.h"
 #include "process/run/topics.h"
@@ -98,21 +99,6 @@ std::vector<std::string> moved_die(const DieFrame& frame, const std::string& nam
                 "results are in its frame",
                 name.c_str(), 1e3 * frame.shift(), frame.turn() * 180 / std::numbers::pi);
   return {text};
-}
-
-/// The run's instants, with tools' poses seen from where the tools are now.
-std::vector<results::Instant> instants_of(const FillRun& run) {
-  std::vector<results::Instant> instants = run.instants();
-  for (auto& instant : instants)
-    for (std::size_t b = 0; b < instant.tool_orientation.size(); ++b) {
-      const engine::BodyMotion& now = run.simulation().body_motion(b);
-      const Eigen::Vector4d& then = instant.tool_orientation[b];
-      const Eigen::Quaterniond turn = Eigen::Quaterniond(then[0], then[1], then[2], then[3]) *
-                                      Eigen::Quaterniond(now.rotation).conjugate();
-      instant.tool_orientation[b] = {turn.w(), turn.x(), turn.y(), turn.z()};
-      instant.tool_displacement[b] -= turn * now.translation;
-    }
-  return instants;
 }
 
 /// Time steps, the times that the scene and the computation took, and speed.
@@ -221,14 +207,12 @@ results::FillResult powder_and_tools(const Scene& scene, const Tooling& tooling,
   result.scene_text = scene.text;
   result.program_version = program_version();
   result.seed = scene.seed;
-  const DieFrame die(run.simulation().body_motion(tooling.die));
+  const DieFrame die = die_frame(run.simulation(), tooling);
   result.powder = powder_state(scene, run.simulation());
   add_images(tooling, result.powder);
-  // A die that is at its place up to rounding must not change the last digits of results.
-  if (!die.at_initial_pose()) result.powder = die.powder(std::move(result.powder));
+  result.powder = die.powder(std::move(result.powder));
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
-    const engine::BodyMotion& motion = run.simulation().body_motion(k);
-    result.tools.push_back(tool_state(tooling.tools[k], die.at_initial_pose() ? motion : die.pose(motion)));
+    result.tools.push_back(tool_state(tooling.tools[k], die.pose(run.simulation().body_motion(k))));
     add_images(tooling, result.tools.back().wall_sphere_centres);
   }
   result.cavity = cavity_now(scene, tooling, run);
@@ -238,11 +222,10 @@ results::FillResult powder_and_tools(const Scene& scene, const Tooling& tooling,
 results::FillResult assemble(const Scene& scene, const Tooling& tooling, const FillRun& run) {
   results::FillResult result = powder_and_tools(scene, tooling, run);
   result.state_hash = results::hash_text(run.simulation().hash());
-  const DieFrame die(run.simulation().body_motion(tooling.die));
+  const DieFrame die = die_frame(run.simulation(), tooling);
   result.contact_stress = contact_stress(run.simulation(), die);
   add_images(tooling, result.contact_stress);
-  result.instants = instants_of(run);
-  for (auto& instant : result.instants) add_images(tooling, result.powder, instant);
+  result.instants = kept_instants(tooling, run, result.powder);
   result.probes = run.probes();
   result.solid_fraction = measure_solid_fraction(result.powder, result.tools, result.cavity);
   result.summary = summarise(result.powder, result.solid_fraction, result.cavity);

@@ -146,7 +146,7 @@ void FillRun::remove_spilled_grains() {
   if (std::all_of(places.begin(), places.end(), [&](const auto& place) { return domain_.contains(place); }))
     return;
   sync_contacts();
-  const DieFrame die(simulation_->body_motion(tooling_.die));
+  const DieFrame die = die_frame(*simulation_, tooling_);
   remove_grains([&](const Eigen::Vector3d& position) {
     const bool leaves = !domain_.contains(position);
     if (leaves) leak_watch_.count_removed(die.point(position));

@@ -67,15 +67,11 @@ std::optional<double> FillRun::height_of_lowest(double share) const {
 }
 
 void FillRun::clear_outside_cavities(double heap) {
-  std::vector<results::CavityState> cavities = {cavity_state(tooling_.cavity)};
-  for (const auto& other : tooling_.other_cavities) cavities.push_back(cavity_state(other));
+  std::vector<results::CavityState> cavities = cavity_states(tooling_);
   for (auto& cavity : cavities) cavity.upper_corner[2] += heap;
-  const DieFrame die(simulation_->body_motion(tooling_.die));
-  remove_grains([&](const Eigen::Vector3d& place) {
-    return std::none_of(cavities.begin(), cavities.end(), [&](const results::CavityState& cavity) {
-      return lies_in_cavity(cavity, die.point(place));
-    });
-  });
+  const DieFrame die = die_frame(*simulation_, tooling_);
+  remove_grains(
+      [&](const Eigen::Vector3d& place) { return !lies_in_any_cavity(cavities, die.point(place)); });
 }
 
 void FillRun::change_powder() {

@@ -122,7 +122,9 @@ void Probes::add_row(std::size_t k, const engine::Simulation& simulation) {
     case ProbeQuantity::load: {
       const Eigen::Vector3d force = state.force / steps, torque = state.torque / steps;
       append({force[0], force[1], force[2], torque[0], torque[1], torque[2]});
-      const Eigen::Vector3d shift = simulation.body_motion(tooling_.index_of(spec.tool)).translation;
+      const std::size_t body = tooling_.index_of(spec.tool);
+      const Eigen::Vector3d origin = tooling_.tools[body].spec.position;
+      const Eigen::Vector3d shift = simulation.body_motion(body).point(origin) - origin;
       return append({shift[0], shift[1], shift[2]});
     }
     case ProbeQuantity::flow: {
@@ -148,7 +150,7 @@ void Probes::add_row(std::size_t k, const engine::Simulation& simulation) {
 
 std::vector<double> Probes::fill_level(const engine::Simulation& simulation) const {
   const results::CavityState cavity = cavity_state(tooling_.cavity);
-  const DieFrame frame(simulation.body_motion(tooling_.die));
+  const DieFrame frame = die_frame(simulation, tooling_);
   const double width = 2 * scene_.powder.grain_diameter;
   const Eigen::Vector3d size = cavity.upper_corner - cavity.lower_corner;
   const auto across = static_cast<std::size_t>(std::max(1.0, std::ceil(size[0] / width))),
@@ -172,10 +174,10 @@ std::vector<double> Probes::fill_level(const engine::Simulation& simulation) con
   }
   double sum = 0, lowest = size[2], count = 0;
   for (std::size_t n = 0; n < highest.size(); ++n) {
-    const Eigen::Vector3d middle =
-        cavity.lower_corner + Eigen::Vector3d((static_cast<double>(n % across) + 0.5) * width,
-                                              (static_cast<double>(n / across) + 0.5) * width, 0.5 * size[2]);
-    if (!lies_in_cavity(cavity, middle)) continue;
+    const Eigen::Vector2d middle =
+        cavity.lower_corner.head<2>() +
+        width * Eigen::Vector2d(static_cast<double>(n % across) + 0.5, static_cast<double>(n / across) + 0.5);
+    if (!tooling_.cavity.footprint.covers(middle)) continue;
     sum += highest[n];
     lowest = std::min(lowest, highest[n]);
     ++count;

@@ -108,6 +108,12 @@ std::size_t die_of(const Scene& scene) {
   return best;
 }
 
+/// m, of the part that powder is collected in, in the frame that cavities are found in.
+double highest_point(const Tooling& tooling, const std::vector<ToolPose>& poses) {
+  const ToolPose still;
+  return moved_box(tooling.tools[tooling.die].mesh, tooling.has_die() ? still : poses[tooling.die]).upper.z();
+}
+
 /// Prepares steps that need the cavity; where there is none, the likeliest reason is told.
 Scene prepare_passages(const Scene& scene, const Tooling& tooling, const std::vector<ToolPose>& poses) {
   try {
@@ -168,10 +174,9 @@ Tooling read_tooling(const Scene& scene, const ProgressCallback& on_progress) {
   }
   for (const auto& tool : tooling.tools) tooling.all.include(tool.mesh.bounding_box());
   tooling.die = die_of(scene);
-  tooling.fill_plane =
-      scene.measure.fill_plane.value_or(tooling.tools[tooling.die].mesh.bounding_box().upper.z());
   Scene followed = prepare_steps(scene, tooling, false);
   const auto poses = poses_at_end(followed, tooling);
+  tooling.fill_plane = scene.measure.fill_plane.value_or(highest_point(tooling, poses));
   auto cavities = cavities_between(tooling, poses);
   if (!cavities.empty()) {
     tooling.cavity = cavities.front();

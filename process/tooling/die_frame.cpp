@@ -7,12 +7,6 @@
 
 namespace diefill::process {
 
-namespace {
-
-constexpr double kPoseTolerance = 1e-12;  // m and rad, rounding of a motion that comes back
-
-}  // namespace
-
 results::CavityState cavity_state(const geometry::Cavity& found) {
   results::CavityState cavity;
   cavity.is_ring = found.is_ring;
@@ -28,38 +22,32 @@ results::CavityState cavity_state(const geometry::Cavity& found) {
   return cavity;
 }
 
-bool DieFrame::at_initial_pose() const {
-  return die_.translation.norm() < kPoseTolerance &&
-         (die_.rotation - Eigen::Matrix3d::Identity()).norm() < kPoseTolerance;
+std::vector<results::CavityState> cavity_states(const Tooling& tooling) {
+  std::vector<results::CavityState> all;
+  if (tooling.cavity.found) all.push_back(cavity_state(tooling.cavity));
+  for (const auto& other : tooling.other_cavities) all.push_back(cavity_state(other));
+  return all;
 }
 
 engine::BodyMotion DieFrame::pose(const engine::BodyMotion& body) const {
+  if (at_initial_pose()) return body;
   engine::BodyMotion posed;
-  posed.rotation = die_.rotation.transpose() * body.rotation;
+  posed.rotation = rotation().transpose() * body.rotation;
   posed.translation = point(body.translation);
   return posed;
 }
 
-results::PowderState DieFrame::powder(results::PowderState laboratory) const {
-  const Eigen::Quaterniond back(Eigen::Matrix3d(die_.rotation.transpose()));
-  for (auto& position : laboratory.position) position = point(position);
-  for (auto& velocity : laboratory.velocity) velocity = direction(velocity);
-  for (auto& spin : laboratory.angular_velocity) spin = direction(spin);
-  for (auto& orientation : laboratory.orientation) {
-    const Eigen::Quaterniond turned =
-        back * Eigen::Quaterniond(orientation[0], orientation[1], orientation[2], orientation[3]);
-    orientation = {turned.w(), turned.x(), turned.y(), turned.z()};
-  }
-  return laboratory;
+DieFrame die_frame(const engine::Simulation& simulation, const Tooling& tooling) {
+  return DieFrame(tooling.has_die() ? simulation.body_motion(tooling.die) : engine::BodyMotion());
 }
 
 double filled_mass(const engine::Simulation& simulation, const Tooling& tooling) {
-  const results::CavityState cavity = cavity_state(tooling.cavity);
-  const DieFrame frame(simulation.body_motion(tooling.die));
+  const auto cavities = cavity_states(tooling);
+  const DieFrame frame = die_frame(simulation, tooling);
   GrainTally filled;
   const engine::Grains& grains = simulation.grains();
   for (std::size_t k = 0; k < grains.size(); ++k)
-    if (lies_in_cavity(cavity, frame.point(grains.position[k]))) filled.add(grains.type_of(k));
+    if (lies_in_any_cavity(cavities, frame.point(grains.position[k]))) filled.add(grains.type_of(k));
   return copies(tooling) * filled.mass(simulation.types());
 }
 

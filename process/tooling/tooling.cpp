@@ -55,7 +55,7 @@ ToolPose compose(const ToolMotion& motion, const ToolPose& before) {
 }
 
 std::vector<geometry::Cavity> cavities_between(const Tooling& tooling, const std::vector<ToolPose>& poses) {
-  const ToolPose& die = poses[tooling.die];
+  const ToolPose die = tooling.has_die() ? poses[tooling.die] : ToolPose();
   std::vector<geometry::Mesh> moved;
   std::vector<const geometry::Mesh*> solids;
   moved.reserve(poses.size());

@@ -49,9 +49,9 @@ struct Tool {
 
 struct Tooling {
   std::vector<Tool> tools;
-  std::size_t die = 0;      ///< index of the part whose frame results are in
-  double fill_plane = 0;    ///< m, height that cavities lie below
-  geometry::Cavity cavity;  ///< the largest, in the die's frame, as the scene's steps leave the tools
+  std::size_t die = 0;    ///< index of the part that powder is collected in: the die, else the first no shoe
+  double fill_plane = 0;  ///< m, height that cavities lie below
+  geometry::Cavity cavity;  ///< the largest, in the frame of results, as the scene's steps leave the tools
   std::vector<geometry::Cavity> other_cavities;  ///< by falling volume
   geometry::Box standing;     ///< m, box round the tools that stay at their place and the room they need
   geometry::Box all;          ///< m, box round all tools at the start
@@ -60,6 +60,8 @@ struct Tooling {
   std::vector<std::shared_ptr<const Step>> steps;
 
   std::size_t wall_spheres() const;
+  /// Whether the scene has a die, whose frame results are then in.
+  bool has_die() const { return tools[die].spec.role == ToolRole::die; }
   /// All cavities as one, for motions and planning: the largest with the box and the volume of all and the
   /// narrowest place of any.
   geometry::Cavity all_cavities() const;
@@ -91,8 +93,8 @@ struct ToolPose {
 /// `motion` on top of `before`, where other steps take the tool at the same time.
 ToolPose compose(const ToolMotion& motion, const ToolPose& before);
 
-/// The cavities below the fill plane between the tools in the given poses, in the frame of the die, as if
-/// that stood where the scene puts it; the largest first.
+/// The cavities below the fill plane between the tools in the given poses, the largest first: in the frame of
+/// the die, as if that stood where the scene puts it, or without a die in the laboratory frame.
 std::vector<geometry::Cavity> cavities_between(const Tooling& tooling, const std::vector<ToolPose>& poses);
 /// The largest of them, or one that says that there is none.
 geometry::Cavity cavity_between(const Tooling& tooling, const std::vector<ToolPose>& poses);

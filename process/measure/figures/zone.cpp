@@ -2,6 +2,7 @@
 
 #include <cctype>
 
+#include "process/measure/cavity_position.h"
 #include "process/measure/figures/enough_grains.h"
 #include "process/results/no_value.h"
 
@@ -20,12 +21,18 @@ struct Contents {
   std::size_t closed_cells = 0;
 };
 
+/// Whether a grain lies in one of the cavities; of tools without any, all grains count.
+bool counts(const results::FillResult& result, std::size_t k) {
+  return result.cavity.volume <= 0 || result.solid_fraction.in_cavity[k] != 0 ||
+         lies_in_any_cavity(result.other_cavities, result.powder.position[k]);
+}
+
 Contents contents_of(const results::FillResult& result, const Zone& zone) {
   const auto& powder = result.powder;
   const auto& cells = result.solid_fraction;
   Contents contents;
   for (std::size_t k = 0; k < powder.position.size(); ++k) {
-    if (result.cavity.volume > 0 && cells.in_cavity[k] == 0) continue;
+    if (!counts(result, k)) continue;
     if (!zone.contains(powder.position[k])) continue;
     contents.mass += powder.mass_of(k);
     if (cells.open[k] != 0) continue;

@@ -10,7 +10,7 @@
 
 namespace diefill::process {
 
-/// A named part of the cavity: a box, the space between two cylinders about a vertical axis, a range of
+/// A named part of the cavities: a box, the space between two cylinders about a vertical axis, a range of
 /// heights, or what several of them have in common. Limits that are not given are infinite.
 struct Zone {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -22,11 +22,11 @@ struct Zone {
   bool contains(const Eigen::Vector3d& point) const;
 };
 
-/// Sets the figures of every zone: `filled_mass_in_<zone>_kg`, the mass of the grains of the cavity whose
-/// centre lies in it; `mass_share_in_<zone>`, of all powder in the cavity; and `solid_fraction_in_<zone>`,
-/// the solid volume over the cell volume of those with a closed cell (as the mean solid fraction of the
-/// summary, but up to the powder surface). Without a cavity all powder counts. The solid fraction has no
-/// value, with the reason, on too few grains (enough_grains.h).
+/// Sets the figures of every zone: `filled_mass_in_<zone>_kg`, the mass of the grains of the
+/// cavities whose centre lies in it; `mass_share_in_<zone>`, of all powder in the cavities; and
+/// `solid_fraction_in_<zone>`, the solid volume over the cell volume of those with a closed cell (as the mean
+/// solid fraction of the summary, but up to the powder surface). Without a cavity all powder counts. The
+/// solid fraction has no value, with the reason, on too few grains (enough_grains.h).
 void add_zone_figures(results::FillResult& result, const std::vector<Zone>& zones);
 
 /// Names of these figures.

@@ -39,6 +39,7 @@ std::vector<results::ProbeSeries> zone_histories(const results::FillResult& resu
   end.powder = result.powder;
   end.solid_fraction = result.solid_fraction;
   end.cavity = result.cavity;
+  end.other_cavities = result.other_cavities;
   add_row(end, zones, histories);
   return histories;
 }

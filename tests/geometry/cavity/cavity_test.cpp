@@ -60,6 +60,18 @@ void expect_ring(const Cavity& cavity, double inner_radius, double width, double
   EXPECT_NEAR(cavity.volume, exact, 0.005 * exact);
 }
 
+TEST(Cavity, FootprintLeavesOutWhatIsBesideItInItsBox) {
+  // An L: the box of 10 x 6 mm without a corner of 5 x 3 mm.
+  auto meshes = open_box();
+  meshes.push_back(box_mm({5, 3, -8}, {10, 6, 0}));
+  const Footprint footprint = cavity_of(meshes).footprint;
+  for (const Eigen::Vector2d& inside : {Eigen::Vector2d(1, 1), {1, 5}, {9, 1}, {4.8, 5.8}, {9.8, 2.8}})
+    EXPECT_TRUE(footprint.covers(inside * kMillimetre)) << inside.transpose();
+  for (const Eigen::Vector2d& beside : {Eigen::Vector2d(9, 5), {5.2, 3.2}, {-1, 1}, {100, 1}, {-100, -100}})
+    EXPECT_FALSE(footprint.covers(beside * kMillimetre)) << beside.transpose();
+  EXPECT_FALSE(Footprint().covers({0, 0}));
+}
+
 TEST(Cavity, FindsOpenBoxOfSeveralBlocks) {
   const auto cavity = cavity_of(open_box());
   ASSERT_TRUE(cavity.found);

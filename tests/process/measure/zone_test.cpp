@@ -69,6 +69,23 @@ TEST(Zones, CountTheCavityAloneAndNoOpenCells) {
   EXPECT_NEAR(result.figures.at("filled_mass_in_lower_kg"), 0.25 * all, 1e-9 * all);
 }
 
+TEST(Zones, CountThePowderInAllCavities) {
+  results::FillResult result = two_halves();
+  const double largest = 1;  // m, beyond all grains
+  results::CavityState second;
+  second.lower_corner = {0, -largest, -largest};
+  second.upper_corner = {largest, largest, largest};
+  for (std::size_t k = 0; k < result.powder.position.size(); ++k)
+    if (result.powder.position[k].x() >= 0) result.solid_fraction.in_cavity[k] = 0;
+  const double all = result.powder.grain_mass * static_cast<double>(result.powder.position.size());
+  add_zone_figures(result, {heights("lower", -1, 0)});
+  EXPECT_NEAR(result.figures.at("filled_mass_in_lower_kg"), 0.25 * all, 1e-9 * all);
+  result.other_cavities = {second};
+  add_zone_figures(result, {heights("lower", -1, 0)});
+  EXPECT_NEAR(result.figures.at("filled_mass_in_lower_kg"), 0.5 * all, 1e-9 * all);
+  EXPECT_NEAR(result.figures.at("mass_share_in_lower"), 0.5, 1e-9);
+}
+
 TEST(Zones, HaveNoSolidFractionOnFewGrains) {
   results::FillResult result = two_halves();
   add_zone_figures(result, {heights("far away", 5, 6)});
