@@ -20,6 +20,7 @@
 #include "process/press_mesh/density_files.h"
 #include "process/press_mesh/density_grid.h"
 #include "process/press_mesh/read_press_mesh.h"
+#include "process/results/cavity_rows.h"
 #include "process/results/formatted.h"
 #include "process/results/storage/atomic_file.h"
 #include "render/scene3d/paraview_files.h"
@@ -85,12 +86,24 @@ double cavity_mass(const results::FillResult& result, const DensityOptions& opti
         "--mass filled: the cavity holds no powder; fill it, or give the mass, such as '12.3 g'");
   }
   if (options.mass != "expected") return mass_given(options.mass);
+  const std::string prefix = options.cavity > 1 ? results::figure_prefix(options.cavity) : "";
   for (const char* figure : {"expected_mass_kg", "estimated_mass_kg"}) {
-    const auto found = result.figures.find(figure);
+    const auto found = result.figures.find(prefix + figure);
     if (found != result.figures.end() && found->second > 0) return found->second;
   }
   throw process::SceneError(
       "--mass expected: the report has no mass of the real powder; give it, such as '12.3 g'");
+}
+
+/// kg/m^3, of the solid that the mass consists of: the metal's, but for model powder; 0: the grains'.
+double solid_of(const results::FillResult& result, const DensityOptions& options) {
+  if (options.mass == "filled") return 0;
+  const auto metal = result.figures.find("solid_density_kg_m3");
+  if (metal != result.figures.end() && metal->second > 0) return metal->second;
+  print_note(
+      "the results, of an earlier version, do not tell the density of the real powder's solid: relative "
+      "densities refer to that of the grains");
+  return 0;
 }
 
 std::string box_text(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper) {
@@ -100,9 +113,10 @@ std::string box_text(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper)
 }
 
 process::ElementDensity density_of(const results::FillResult& result, const results::SolidMesh& mesh,
-                                   const DensityOptions& options, double averaging_width, double mass) {
+                                   const DensityOptions& options, double averaging_width) {
+  const double mass = options.mesh_share * cavity_mass(result, options);
   try {
-    return process::element_density(result, mesh, {averaging_width, options.mesh_share * mass});
+    return process::element_density(result, mesh, {averaging_width, mass, solid_of(result, options)});
   } catch (const std::invalid_argument&) {
     Eigen::Vector3d lower = mesh.nodes.front(), upper = lower;
     for (const auto& node : mesh.nodes) lower = lower.cwiseMin(node), upper = upper.cwiseMax(node);
@@ -204,7 +218,7 @@ void write_mesh_density(const results::FillResult& result, const DensityOptions&
                         double averaging_width, const std::filesystem::path& out, Files& written) {
   const results::SolidMesh mesh = read_mesh(options);
   refuse_wrong_unit(result, mesh, options);
-  const auto density = density_of(result, mesh, options, averaging_width, cavity_mass(result, options));
+  const auto density = density_of(result, mesh, options, averaging_width);
   make_output_directory(out);
   print_density(result, mesh, density, options);
   const std::string stem = process::file_stem(options.mesh);
@@ -235,17 +249,16 @@ std::optional<double> grid_spacing(const results::FillResult& result, const Dens
 process::DensityGrid grid_of(const results::FillResult& result, const DensityOptions& options, double spacing,
                              double averaging_width) {
   try {
-    return process::density_grid(result, spacing, averaging_width, cavity_mass(result, options));
+    return process::density_grid(result, spacing,
+                                 {averaging_width, cavity_mass(result, options), solid_of(result, options)});
   } catch (const std::invalid_argument& error) {
     throw process::SceneError("--density-grid: found \"" + options.grid + "\": " + error.what());
   }
 }
 
-void write_grid_density(const results::FillResult& result, const process::DensityGrid& grid,
-                        const std::filesystem::path& out, Files& written) {
+void write_grid_density(const process::DensityGrid& grid, const std::filesystem::path& out, Files& written) {
   written.push_back(out / "density_grid.csv");
-  results::write_text_atomically(written.back(),
-                                 process::density_grid_csv(grid, process::solid_density(result)));
+  results::write_text_atomically(written.back(), process::density_grid_csv(grid));
   written.push_back(out / "density_grid.vti");
   render::write_cells(written.back(), {grid.origin, grid.spacing, grid.cells},
                       {{"relative density", 1, grid.relative}, {"mass [kg]", 1, grid.mass}});
@@ -318,7 +331,7 @@ void export_density(const results::FillResult& whole, const DensityOptions& opti
     if (!options.mesh.empty()) write_mesh_density(result, options, averaging_width, out, written);
     if (!grid) return;
     make_output_directory(out);
-    write_grid_density(result, *grid, out, written);
+    write_grid_density(*grid, out, written);
   });
   for (const auto& file : written) std::printf("%s\n", file.c_str());
 }

@@ -1,5 +1,6 @@
 #include "engine/limits/validity_monitor.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -93,17 +94,26 @@ void ValidityMonitor::check_overlap(const Simulation& simulation) {
   warn_of_overlap(grains, walls, simulation.time());
 }
 
+void ValidityMonitor::warn_of_deepest(bool& warned, const std::string& reached, const std::string& rest) {
+  const std::string start = reached.substr(0, reached.find_first_of("0123456789"));
+  const auto earlier = std::find_if(state_.texts.begin(), state_.texts.end(),
+                                    [&](const std::string& text) { return text.starts_with(start); });
+  if (earlier == state_.texts.end())
+    state_.texts.push_back(reached + rest);
+  else if (!earlier->starts_with(reached))
+    *earlier = reached + rest;
+  warned = true;
+}
+
 void ValidityMonitor::warn_of_overlap(double grains, double walls, double time) {
   if (grains > limits_.warning_overlap)
-    warn_once(state_.overlap,
-              line("overlap among grains reached %.2f of the sphere radius by t = %.6g s; up to %.2f is "
-                   "acceptable",
-                   grains, time, limits_.warning_overlap));
+    warn_of_deepest(state_.overlap, line("overlap among grains reached %.3g of the sphere radius", grains),
+                    line(" by t = %.6g s; up to %.2f is acceptable", time, limits_.warning_overlap));
   if (walls > limits_.largest_overlap)
-    warn_once(state_.pinch,
-              line("a tool pinched a grain by t = %.6g s: overlap with a wall reached %.2f of the sphere "
-                   "radius",
-                   time, walls));
+    warn_of_deepest(
+        state_.pinch,
+        line("a tool pinched a grain: overlap with a wall reached %.3g of the sphere radius", walls),
+        line(" by t = %.6g s", time));
 }
 
 void ValidityMonitor::check_time_step(const Simulation& simulation) const {

@@ -36,7 +36,7 @@ struct ValidityLimits {
   double warning_contacts = 8, largest_contacts = 30;
 };
 
-/// What a run has been warned of so far, each once: all that a restart needs.
+/// What a run has been warned of so far, each once, overlaps with the deepest: all that a restart needs.
 struct ValidityWarnings {
   bool overlap = false, pinch = false, energy = false, speed = false, contacts = false;
   std::vector<std::string> texts;  ///< in the order in which they came
@@ -64,6 +64,8 @@ class ValidityMonitor {
   void check_speed(const Simulation& simulation);
   void check_contacts(const Simulation& simulation);
   void warn_once(bool& warned, const std::string& warning);
+  /// A warning of what only grows: `reached` ends with its number, and takes the place of a smaller one.
+  void warn_of_deepest(bool& warned, const std::string& reached, const std::string& rest);
 
   ValidityLimits limits_;
   ValidityWarnings state_;

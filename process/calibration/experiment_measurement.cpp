@@ -1,6 +1,7 @@
 // A quantity of an experiment of the laboratory, such as the solid fraction of settled powder: its runs with
 // the starting powder, and its evaluation of them.
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "process/calibration/measurement.h"
@@ -49,6 +50,10 @@ laboratory::LabSetting read_setting(TableReader& table, const MeasurementContext
   setting.size = table.choice("size", sizes).value_or(setting.size);
   const auto scenes = table.text("scenes");
   setting.scenes = scenes ? table.file().parent_path() / *scenes : laboratory::laboratory_folder();
+  if (std::error_code unknown; !std::filesystem::exists(setting.scenes, unknown))
+    table.reject(scenes ? "scenes" : "experiment",
+                 "the scenes of the laboratory are not in " + setting.scenes.string() +
+                     "; give their folder, such as scenes = \"/usr/share/diefill/sample_tools/laboratory\"");
   setting.powder = context.powder;
   return setting;
 }

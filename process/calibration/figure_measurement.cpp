@@ -50,7 +50,7 @@ void refuse_unknown_item(TableReader& table, const std::string& word,
   if (further && std::find(items.begin(), items.end(), name) != items.end())
     table.reject("figure", std::string("of further cavities there are no figures of ") +
                                (heap ? "heaps" : "zones") + "; allowed: \"" + name + '"' +
-                               (heap ? "" : ", of the largest cavity"));
+                               (heap ? "" : ", of all cavities together"));
   if (items.empty())
     table.reject("figure", std::string("the scene has no [[measure.") + (heap ? "heap" : "zone") +
                                "]]; name one there, or choose another figure");

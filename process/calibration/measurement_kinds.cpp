@@ -62,6 +62,33 @@ void check_scene(const MeasurementRun& run, const std::string& as_written, const
   throw SceneError(fault + " (with the powder and walls of " + powder.string() + ')');
 }
 
+bool same_run(const MeasurementRun& one, const MeasurementRun& other) {
+  return one.text == other.text && one.set == other.set;
+}
+
+/// Whether both take the same number of the same run. What the simulations do not know would count twice.
+bool repeats(const Measurement& one, const Measurement& other) {
+  if ((one.kind != "figure" && one.kind != "experiment") || !(one.fitted && other.fitted)) return false;
+  if (one.kind != other.kind || one.quantity != other.quantity || one.figure != other.figure ||
+      one.experiment != other.experiment)
+    return false;
+  return std::any_of(one.runs.begin(), one.runs.end(), [&](const MeasurementRun& run) {
+    return std::any_of(other.runs.begin(), other.runs.end(),
+                       [&](const MeasurementRun& earlier) { return same_run(run, earlier); });
+  });
+}
+
+void refuse_repeated(const TableReader& table, const Measurement& measurement,
+                     const std::vector<Measurement>& earlier) {
+  const auto same = std::find_if(earlier.begin(), earlier.end(),
+                                 [&](const Measurement& other) { return repeats(measurement, other); });
+  if (same != earlier.end())
+    table.reject("name",
+                 "measurement \"" + same->name +
+                     "\" is of the same run and the same quantity, which would count twice; give both as "
+                     "one, with their mean and its deviation, or set use = \"check\" in one");
+}
+
 }  // namespace
 
 const std::vector<MeasurementKind>& measurement_kinds() {
@@ -93,6 +120,7 @@ std::vector<Measurement> read_measurements(TableReader& document, const Measurem
     measurement.kind = kind;
     measurement.fitted = fitted;
     if (fitted) refuse_too_many(measurement);
+    refuse_repeated(table, measurement, all);
     table.finish();
     all.push_back(std::move(measurement));
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "process/results/formatted.h"
+#include "process/results/no_value.h"
 #include "process/results/storage/result_file.h"
 #include "process/results/studies/job_cost.h"
 #include "process/scene/scene_text.h"
@@ -180,7 +181,17 @@ bool PointRuns::is_written(const Point& point, std::size_t number) const {
   });
 }
 
-/// Empty where a run is not finished.
+namespace {
+
+/// Why the result has no such figure; masses and densities of the real powder rest on the fill ratio.
+std::string why_no_value(const results::FillResult& result, const std::string& figure) {
+  const std::string own = results::reason_for(result, figure);
+  return own.empty() && figure.starts_with("expected_") ? results::reason_for(result, "fill_ratio") : own;
+}
+
+}  // namespace
+
+/// Empty where a run is not finished. Throws results::ResultError where a figure has no value and a reason.
 std::vector<double> PointRuns::values_of_seed(std::size_t measurement, std::size_t number, int k) const {
   std::vector<results::FillResult> read;
   std::vector<FinishedRun> finished;
@@ -191,7 +202,11 @@ std::vector<double> PointRuns::values_of_seed(std::size_t measurement, std::size
     read.push_back(results::read_results(finished.back().folder));
   }
   for (std::size_t r = 0; r < read.size(); ++r) finished[r].result = &read[r];
-  return plan_.measurements[measurement].simulated(finished);
+  auto values = plan_.measurements[measurement].simulated(finished);
+  if (read.size() == 1 && values.size() == 1 && !std::isfinite(values.front()))
+    if (auto why = why_no_value(read.front(), plan_.measurements[measurement].figure); !why.empty())
+      throw results::ResultError(why);
+  return values;
 }
 
 /// Rows of values, seed by seed. A result that is damaged or lacks what is measured has none: `reason` says

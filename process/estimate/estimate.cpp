@@ -110,7 +110,7 @@ Estimate estimate(const Scene& given, const Tooling& tooling, const EstimateOpti
     found.suctions.push_back(suction_estimate(scene, inputs, k, found.powder));
   found.outlet = outlet_of(scene, tooling, powder, found.powder.in_shoe);
   found.only_shaken = only_shakes(scene);
-  found.crossing_time = crossing_time(scene, found.path.tool);
+  found.crossing = crossing_of(scene, found.path.tool);
   find_answer(found);
   found.numbers = scene_numbers(scene, found);
   found.path.exposures.clear();

@@ -9,6 +9,7 @@
 #include "process/estimate/discharge/powder_discharge.h"
 #include "process/estimate/openings/exposure.h"
 #include "process/estimate/statements/known_error.h"
+#include "process/estimate/work_of_steps.h"
 
 namespace diefill::process::estimate {
 
@@ -120,11 +121,11 @@ enum class Answer {
 struct Estimate {
   PowderEstimate powder;
   PowderDischarge law;
-  double grain_diameter = 0;            ///< m
-  double bond = 0;                      ///< Bond number of the powder at its own size
-  ShoePath path;                        ///< without exposures
-  std::optional<double> cycle_time;     ///< s, of the steps
-  std::optional<double> crossing_time;  ///< s of one crossing, pauses apart
+  double grain_diameter = 0;         ///< m
+  double bond = 0;                   ///< Bond number of the powder at its own size
+  ShoePath path;                     ///< without exposures
+  std::optional<double> cycle_time;  ///< s, of the steps
+  std::optional<Crossing> crossing;  ///< of the first passage
   std::vector<OpeningEstimate> openings;
   std::vector<SuctionEstimate> suctions;
   std::optional<OutletEstimate> outlet;

@@ -12,7 +12,17 @@ namespace diefill::process::estimate {
 /// powder that rests at once; nothing without steps. `scene` has prepared steps.
 std::optional<double> cycle_time(const Scene& scene);
 
-/// s of one crossing of the scene's first passage of that tool; nothing where there is none.
-std::optional<double> crossing_time(const Scene& scene, const std::string& tool);
+/// One crossing of a passage.
+struct Crossing {
+  double time = 0;          ///< s, without pauses
+  double speed = 0;         ///< m/s, once accelerated
+  double acceleration = 0;  ///< m/s^2, also of braking
+
+  /// s, of the same way at another speed (m/s).
+  double time_at(double other) const;
+};
+
+/// Of the scene's first passage of that tool; nothing where there is none.
+std::optional<Crossing> crossing_of(const Scene& scene, const std::string& tool);
 
 }  // namespace diefill::process::estimate

@@ -9,6 +9,7 @@
 
 #include "geometry/grids/all_cores.h"
 #include "process/measure/fields/gaussian_field.h"
+#include "process/measure/measure.h"
 #include "process/measure/tool_solids.h"
 #include "process/measure/volumes/partial_volumes.h"
 
@@ -38,9 +39,10 @@ DensityGrid empty_grid(const results::FillResult& result, double spacing) {
   const double margin = result.powder.largest_diameter();
   DensityGrid grid;
   grid.spacing = spacing;
-  const Eigen::Vector3d size =
-      result.cavity.upper_corner - result.cavity.lower_corner + Eigen::Vector3d::Constant(2 * margin);
-  const Eigen::Vector3d cells = (size / spacing).array().ceil();
+  constexpr double kRounding = 1e-9;  // of a cell
+  const Eigen::Vector3d size = result.cavity.upper_corner - result.cavity.lower_corner;
+  const Eigen::Vector3d cells = (size / spacing - Eigen::Vector3d::Constant(kRounding)).array().ceil() +
+                                2 * std::ceil(margin / spacing);
   if (cells.prod() > kMaxCells)
     throw std::invalid_argument("the grid would have more than 20 million cells; choose larger cells");
   grid.cells = cells.cast<int>();
@@ -65,8 +67,12 @@ void fill_masses(DensityGrid& grid, const results::FillResult& result, double ma
                                                    static_cast<std::size_t>(z))]);
 }
 
-void fill_densities(DensityGrid& grid, const results::FillResult& result, double averaging_width) {
-  const GaussianField field(result.powder, result.solid_fraction, averaging_width);
+void fill_densities(DensityGrid& grid, const results::FillResult& result, const DensityRequest& request) {
+  const GaussianField field(result.powder, result.solid_fraction, request.averaging_width);
+  const double of_grains = solid_density(result);
+  grid.solid_density = request.solid_density > 0 ? request.solid_density : of_grains;
+  const double scale =
+      request.mass / filled_mass(result.powder, result.solid_fraction) * of_grains / grid.solid_density;
   const auto solids = solids_of(result.tools);
   grid.relative.assign(grid.mass.size(), std::numeric_limits<double>::quiet_NaN());
   geometry::on_all_cores(
@@ -81,22 +87,21 @@ void fill_densities(DensityGrid& grid, const results::FillResult& result, double
                           [&](const auto& solid) { return solid.inside(place); }))
             continue;
           grid.relative[row * static_cast<std::size_t>(grid.cells.x()) + static_cast<std::size_t>(x)] =
-              field.at(place);
+              scale * field.at(place);
         }
       });
 }
 
 }  // namespace
 
-DensityGrid density_grid(const results::FillResult& result, double spacing, double averaging_width,
-                         double mass) {
+DensityGrid density_grid(const results::FillResult& result, double spacing, const DensityRequest& request) {
   DensityGrid grid = empty_grid(result, spacing);
-  fill_masses(grid, result, mass);
-  fill_densities(grid, result, averaging_width);
+  fill_masses(grid, result, request.mass);
+  fill_densities(grid, result, request);
   return grid;
 }
 
-std::string density_grid_csv(const DensityGrid& grid, double solid_density) {
+std::string density_grid_csv(const DensityGrid& grid) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << std::setprecision(9) << "x [m],y [m],z [m],mass [kg],relative density [1],density [kg/m^3]\n";
@@ -110,7 +115,7 @@ std::string density_grid_csv(const DensityGrid& grid, double solid_density) {
         text << place.x() << ',' << place.y() << ',' << place.z() << ',' << grid.mass[cell] << ',';
         if (known) text << grid.relative[cell];
         text << ',';
-        if (known) text << grid.relative[cell] * solid_density;
+        if (known) text << grid.relative[cell] * grid.solid_density;
         text << '\n';
       }
   return text.str();

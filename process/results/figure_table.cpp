@@ -79,6 +79,8 @@ constexpr std::array kFigures = {
            "a die full at apparent density holds", kGrams, kNotCompared, "full die"},
     Figure{"apparent_density_kg_m3", "kg/m^3", "apparent density of the real powder",
            "apparent density of the real powder", kRealDensity, kNotCompared, "apparent density"},
+    Figure{"solid_density_kg_m3", "kg/m^3", "of the metal, or of the model grains where that is not known",
+           "density of the real powder's solid", kRealDensity},
     Figure{"apparent_density_is_estimate", "1",
            "0: as weighed; 1: the bed's solid fraction times the metal's density",
            "apparent density is an estimate", kNumber},

@@ -123,10 +123,10 @@ void add_cycle_statement(const Estimate& estimate, std::vector<Statement>& said)
   if (!estimate.cycle_time) return;
   std::string text = results::formatted("the scene's steps take %.3g s", *estimate.cycle_time);
   const OpeningEstimate* worst = emptiest(estimate);
-  if (worst != nullptr && estimate.crossing_time && worst->speed_once && worst->crossings &&
+  if (worst != nullptr && estimate.crossing && worst->speed_once && worst->crossings &&
       estimate.path.speed > 0) {
-    const double many = *worst->crossings * *estimate.crossing_time;
-    const double slow = *estimate.crossing_time * estimate.path.speed / *worst->speed_once;
+    const double many = *worst->crossings * estimate.crossing->time;
+    const double slow = estimate.crossing->time_at(*worst->speed_once);
     if (*worst->crossings > 1)
       text += results::formatted(
           ". To fill %s, %d crossings at %.2g m/s take %.2g s and one at %.2g m/s %.2g s (pauses "
@@ -136,7 +136,7 @@ void add_cycle_statement(const Estimate& estimate, std::vector<Statement>& said)
     else if (*worst->speed_once > 1.1 * estimate.path.speed)
       text += results::formatted(". One crossing at %.2g m/s, which still fills %s, would save %.2g s",
                                  *worst->speed_once, name_of(estimate, *worst).c_str(),
-                                 *estimate.crossing_time - slow);
+                                 estimate.crossing->time - slow);
   }
   said.push_back({"cycle time", text, "the scene's motions", "powder rests at once", "not measured"});
 }

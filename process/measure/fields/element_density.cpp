@@ -121,7 +121,7 @@ ElementDensity element_density(const results::FillResult& result, const SolidMes
       add_parts(part, field, request.averaging_width, kMaxHalvings, sums[e]);
   });
   ElementDensity density;
-  density.solid_density = solid_density(result);
+  density.solid_density = request.solid_density > 0 ? request.solid_density : solid_density(result);
   double solid = 0;
   for (std::size_t e = 0; e < sums.size(); ++e) {
     density.volume.push_back(std::abs(sums[e].volume));

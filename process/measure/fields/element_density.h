@@ -12,6 +12,7 @@ namespace diefill::process {
 struct DensityRequest {
   double averaging_width = 0;  ///< m, sigma of (Bierwisch 2009, Eq. 2.27)
   double mass = 0;             ///< kg, of the whole mesh
+  double solid_density = 0;    ///< kg/m^3, of the solid that this mass consists of; 0: of the grains'
 };
 
 /// Density is that of the powder over the element's volume; relative density is density over `solid_density`.
@@ -24,7 +25,7 @@ struct ElementDensity {
   std::vector<double> node_relative;   ///< 1, of each node; 0 where all its elements are outside
   std::vector<std::uint64_t> outside;  ///< numbers of the elements that hold no powder
   std::vector<std::uint64_t> above;    ///< numbers of the elements that are denser than their solid
-  double solid_density = 0;            ///< kg/m^3, of the grains' solid
+  double solid_density = 0;            ///< kg/m^3, of the request
   double total_volume = 0;             ///< m^3, of the mesh
   double scale = 1;                    ///< by which the averaged field was multiplied to conserve mass
 };

@@ -50,6 +50,7 @@ void add_real_mass(results::FillResult& result, const RealPowder& powder, const 
   const double solid = solid_in_cavity(result);
   figures["fill_density_kg_m3"] = filled_mass(result.powder, result.solid_fraction) / volume;
   figures["cavity_solid_fraction"] = solid / volume;
+  figures["solid_density_kg_m3"] = powder.solid_density;
   const bool stands = std::isfinite(bed.solid_fraction);
   const bool weighed = powder.apparent_density > 0;
   const double apparent = weighed  ? powder.apparent_density

@@ -65,7 +65,10 @@ TEST(ValidityMonitor, StopsAtForbiddenOverlapAndWarnsOnceBefore) {
   EXPECT_EQ(complaint(monitor, doubtful), "");
   EXPECT_EQ(complaint(monitor, doubtful), "");
   ASSERT_EQ(monitor.warnings().size(), 1U);
-  EXPECT_NE(monitor.warnings()[0].find("overlap among grains reached 0.30"), std::string::npos);
+  EXPECT_NE(monitor.warnings()[0].find("overlap among grains reached 0.3 "), std::string::npos);
+  EXPECT_EQ(complaint(monitor, pair_with_overlap(0.4, 1e-9)), "");
+  ASSERT_EQ(monitor.warnings().size(), 1U) << "the deepest takes the place of the first";
+  EXPECT_NE(monitor.warnings()[0].find("overlap among grains reached 0.4 "), std::string::npos);
   const std::string message = complaint(monitor, pair_with_overlap(0.7, 1e-9));
   EXPECT_NE(message.find("overlap by 0.70 of their radius"), std::string::npos) << message;
   EXPECT_NE(message.find("reduced_modulus"), std::string::npos);
@@ -174,6 +177,9 @@ TEST(ValidityMonitor, WarnsNoMoreOfWhatItWasRestoredWith) {
   EXPECT_EQ(complaint(monitor, pair_with_overlap(0.3, 1e-9)), "");
   ASSERT_EQ(monitor.warnings().size(), 1U);
   resumed.restore(monitor.state());
+  EXPECT_EQ(complaint(resumed, pair_with_overlap(0.3, 1e-9)), "");
+  EXPECT_EQ(resumed.warnings(), monitor.warnings());
+  EXPECT_EQ(complaint(monitor, pair_with_overlap(0.4, 1e-9)), "");
   EXPECT_EQ(complaint(resumed, pair_with_overlap(0.4, 1e-9)), "");
   EXPECT_EQ(resumed.warnings(), monitor.warnings());
 }

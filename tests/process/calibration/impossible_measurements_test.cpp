@@ -57,11 +57,20 @@ TEST_F(Measurements, OfFiguresThatTheSceneHasAreRead) {
             "no message");
 }
 
-// Results have zones of the largest cavity alone: no run would have a value.
+// Zones are of all cavities together: no run would have a value.
 TEST_F(Measurements, OfZonesOfFurtherCavitiesAreRefused) {
-  expect(
-      "figure = \"cavity_3_mass_share_in_flange\"\nvalue = \"0.3\"\ndeviation = \"0.01\"\n",
-      "of further cavities there are no figures of zones; allowed: \"mass_share_in_flange\", of the largest");
+  expect("figure = \"cavity_3_mass_share_in_flange\"\nvalue = \"0.3\"\ndeviation = \"0.01\"\n",
+         "of further cavities there are no figures of zones; allowed: \"mass_share_in_flange\", of all");
+}
+
+TEST_F(Measurements, OfOneRunAndOneQuantityCountOnce) {
+  const std::string one = "figure = \"filled_mass_kg\"\nvalue = \"3 g\"\ndeviation = \"0.1 g\"\n",
+                    other = one + "\n[[measurement]]\nname = \"b\"\nscene = \"scene.toml\"\n";
+  expect(other + one, "measurement \"a\" is of the same run and the same quantity, which would count twice");
+  EXPECT_EQ(message_of(other + one + "use = \"check\"\n"), "no message");
+  EXPECT_EQ(message_of(other + one + "set = [\"seed = 3\"]\n"), "no message");
+  EXPECT_EQ(message_of(other + "figure = \"fill_ratio\"\nvalue = \"0.9\"\ndeviation = \"0.1\"\n"),
+            "no message");
 }
 
 TEST_F(Measurements, OfFurtherCavitiesAreReadByTheNameThatResultsGiveThem) {

@@ -174,13 +174,45 @@ TEST(PressDensity, NodesOutsideGetNoCard) {
 TEST(PressDensity, OfAGridConservesTheMass) {
   const auto result = filled_block([](const Eigen::Vector3d&) { return 0.42; });
   const double mass = filled_mass(result.powder, result.solid_fraction);
-  const auto grid = density_grid(result, 1e-3, kWidth, mass);
+  const auto grid = density_grid(result, 1e-3, {kWidth, mass});
   EXPECT_NEAR(sum(grid.mass) / mass, 1, 1e-9);
   const auto middle = static_cast<std::size_t>(
       ((grid.cells.z() / 2) * grid.cells.y() + grid.cells.y() / 2) * grid.cells.x() + grid.cells.x() / 2);
   EXPECT_NEAR(grid.relative[middle], 0.42, 1e-12);
   EXPECT_TRUE(std::isnan(grid.relative.back()));  // above the cavity
-  EXPECT_THROW(density_grid(result, 1e-6, kWidth, mass), std::invalid_argument);
+  EXPECT_THROW(density_grid(result, 1e-6, {kWidth, mass}), std::invalid_argument);
+}
+
+TEST(PressDensity, OfRealPowderIsRelativeToItsMetal) {
+  const auto result = filled_block([](const Eigen::Vector3d&) { return 0.42; });
+  const double metal = 7870, volume = std::pow(6e-3, 3), mass = 0.4 * metal * volume;
+  const auto density = element_density(result, cube_mesh(2, 6e-3), {kWidth, mass, metal});
+  for (const double relative : density.relative) EXPECT_NEAR(relative, 0.4, 1e-10);
+  EXPECT_NEAR(sum(density.mass) / mass, 1, 1e-12);
+  const double of_model = filled_mass(result.powder, result.solid_fraction);
+  const auto grid = density_grid(result, 1.1e-3, {kWidth, 0.8 * of_model, metal});
+  EXPECT_EQ(grid.solid_density, metal);
+  const auto plain = density_grid(result, 1.1e-3, {kWidth, of_model});
+  for (std::size_t k = 0; k < grid.relative.size(); ++k) {
+    EXPECT_NEAR(grid.mass[k], 0.8 * plain.mass[k], 1e-12 * of_model);
+    if (std::isfinite(plain.relative[k])) {
+      EXPECT_NEAR(grid.relative[k] * metal, 0.8 * plain.relative[k] * plain.solid_density, 1e-6);
+    }
+  }
+}
+
+TEST(PressDensity, OfAGridHasTheWallsOfTheCavityBetweenItsCells) {
+  const auto result = filled_block([](const Eigen::Vector3d&) { return 0.42; });
+  for (const double spacing : {1.1e-3, 0.55e-3, 1e-3, 0.7e-3}) {
+    const auto grid = density_grid(result, spacing, {kWidth, 1e-4});
+    const Eigen::Vector3d beyond = (result.cavity.lower_corner - grid.origin) / spacing;
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_GT(std::abs(beyond[axis] - std::floor(beyond[axis]) - 0.5), 1e-3) << spacing;
+      const double end = grid.origin[axis] + spacing * grid.cells[axis];
+      EXPECT_NEAR(end - result.cavity.upper_corner[axis],
+                  result.cavity.lower_corner[axis] - grid.origin[axis], 1e-12);
+    }
+  }
 }
 
 TEST(PressDensity, ShapesOfElementsFillTheSameCube) {
