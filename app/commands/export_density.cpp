@@ -97,13 +97,16 @@ double cavity_mass(const results::FillResult& result, const DensityOptions& opti
 
 /// kg/m^3, of the solid that the mass consists of: the metal's, but for model powder; 0: the grains'.
 double solid_of(const results::FillResult& result, const DensityOptions& options) {
-  if (options.mass == "filled") return 0;
   const auto metal = result.figures.find("solid_density_kg_m3");
-  if (metal != result.figures.end() && metal->second > 0) return metal->second;
-  print_note(
-      "the results, of an earlier version, do not tell the density of the real powder's solid: relative "
-      "densities refer to that of the grains");
-  return 0;
+  return options.mass == "filled" || metal == result.figures.end() ? 0 : metal->second;
+}
+
+/// Results of an earlier version do not tell the metal's density.
+void note_unknown_solid(const results::FillResult& result, const DensityOptions& options) {
+  if (options.mass != "filled" && !(solid_of(result, options) > 0))
+    print_note(
+        "the results do not tell the density of the real powder's solid: relative densities refer to that of "
+        "the grains");
 }
 
 std::string box_text(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper) {
@@ -333,6 +336,7 @@ void export_density(const results::FillResult& whole, const DensityOptions& opti
     make_output_directory(out);
     write_grid_density(*grid, out, written);
   });
+  note_unknown_solid(result, options);
   for (const auto& file : written) std::printf("%s\n", file.c_str());
 }
 
