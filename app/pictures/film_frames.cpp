@@ -31,7 +31,7 @@ std::vector<double> times_of(const std::vector<PictureSource>& sources) {
 /// The source at the time, or at its own first instant or end where that lies beyond them.
 results::FillResult at_time(const results::FillResult& result, double time, bool measured) {
   const double first = result.instants.empty() ? result.powder.time : result.instants.front().time;
-  return process::result_seen_at(result, std::clamp(time, first, result.powder.time), measured);
+  return process::film_frame_at(result, std::clamp(time, first, result.powder.time), measured);
 }
 
 /// What the first instant and the end show.

@@ -54,7 +54,7 @@ Pictures make_frames(const PictureRequest& request) {
     const auto folder = request.out / file_of(request, "frames", source).stem();
     const DirectoryToFill filled(folder);
     for (std::size_t n = 0; n < result.instants.size(); ++n) {
-      const auto shown = process::result_seen_at(result, result.instants[n].time, measured);
+      const auto shown = process::film_frame_at(result, result.instants[n].time, measured);
       colour_grains(options, request.colour_by, shown, result);
       char name[32];
       std::snprintf(name, sizeof name, "%05zu.png", n);

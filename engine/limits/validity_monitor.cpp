@@ -1,6 +1,5 @@
 #include "engine/limits/validity_monitor.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -75,7 +74,7 @@ void ValidityMonitor::check_numbers(const Simulation& simulation) const {
           static_cast<unsigned long long>(grains.id[k]), simulation.time(), simulation.settings().time_step));
 }
 
-void ValidityMonitor::check_overlap(const Simulation& simulation) {
+void ValidityMonitor::check_overlap(const Simulation& simulation) const {
   const double grains = simulation.overlaps_of_run().grains_over_radius;
   const double walls = simulation.overlaps_of_run().walls_over_radius;
   if (grains > limits_.largest_overlap)
@@ -91,29 +90,20 @@ void ValidityMonitor::check_overlap(const Simulation& simulation) {
              "tool pinches a grain: slow the tool down, raise reduced_modulus or take a shorter time step "
              "(now %.3g s)",
              walls, simulation.time(), limits_.largest_wall_overlap, simulation.settings().time_step));
-  warn_of_overlap(grains, walls, simulation.time());
 }
 
-void ValidityMonitor::warn_of_deepest(bool& warned, const std::string& reached, const std::string& rest) {
-  const std::string start = reached.substr(0, reached.find_first_of("0123456789"));
-  const auto earlier = std::find_if(state_.texts.begin(), state_.texts.end(),
-                                    [&](const std::string& text) { return text.starts_with(start); });
-  if (earlier == state_.texts.end())
-    state_.texts.push_back(reached + rest);
-  else if (!earlier->starts_with(reached))
-    *earlier = reached + rest;
-  warned = true;
-}
-
-void ValidityMonitor::warn_of_overlap(double grains, double walls, double time) {
-  if (grains > limits_.warning_overlap)
-    warn_of_deepest(state_.overlap, line("overlap among grains reached %.3g of the sphere radius", grains),
-                    line(" by t = %.6g s; up to %.2f is acceptable", time, limits_.warning_overlap));
-  if (walls > limits_.largest_overlap)
-    warn_of_deepest(
-        state_.pinch,
-        line("a tool pinched a grain: overlap with a wall reached %.3g of the sphere radius", walls),
-        line(" by t = %.6g s", time));
+std::vector<std::string> overlap_warnings(const Simulation& simulation, const ValidityLimits& limits) {
+  const double grains = simulation.overlaps_of_run().grains_over_radius;
+  const double walls = simulation.overlaps_of_run().walls_over_radius;
+  std::vector<std::string> warnings;
+  if (grains > limits.warning_overlap)
+    warnings.push_back(
+        line("overlap among grains reached %.3g of the sphere radius; up to %.2f is acceptable", grains,
+             limits.warning_overlap));
+  if (walls > limits.largest_overlap)
+    warnings.push_back(
+        line("a tool pinched a grain: overlap with a wall reached %.3g of the sphere radius", walls));
+  return warnings;
 }
 
 void ValidityMonitor::check_time_step(const Simulation& simulation) const {

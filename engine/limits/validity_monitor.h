@@ -36,11 +36,14 @@ struct ValidityLimits {
   double warning_contacts = 8, largest_contacts = 30;
 };
 
-/// What a run has been warned of so far, each once, overlaps with the deepest: all that a restart needs.
+/// What a run has been warned of so far, each once: all that a restart needs.
 struct ValidityWarnings {
-  bool overlap = false, pinch = false, energy = false, speed = false, contacts = false;
+  bool energy = false, speed = false, contacts = false;
   std::vector<std::string> texts;  ///< in the order in which they came
 };
+
+/// Of overlaps that a run has had so far, the deepest each; none where they are acceptable.
+std::vector<std::string> overlap_warnings(const Simulation& simulation, const ValidityLimits& limits = {});
 
 /// Watches one run.
 class ValidityMonitor {
@@ -49,7 +52,7 @@ class ValidityMonitor {
 
   /// Checks the simulation as it is now; call every so many steps. Throws OutOfRange past a limit.
   void check(const Simulation& simulation);
-  /// Warnings so far, each once.
+  /// Warnings so far, each once; those of overlaps are overlap_warnings().
   const std::vector<std::string>& warnings() const { return state_.texts; }
   const ValidityWarnings& state() const { return state_; }
   /// Continues where another monitor of the run stopped: what it has warned of is not repeated.
@@ -57,15 +60,12 @@ class ValidityMonitor {
 
  private:
   void check_numbers(const Simulation& simulation) const;
-  void check_overlap(const Simulation& simulation);
-  void warn_of_overlap(double grains, double walls, double time);
+  void check_overlap(const Simulation& simulation) const;
   void check_time_step(const Simulation& simulation) const;
   void check_energy(const Simulation& simulation);
   void check_speed(const Simulation& simulation);
   void check_contacts(const Simulation& simulation);
   void warn_once(bool& warned, const std::string& warning);
-  /// A warning of what only grows: `reached` ends with its number, and takes the place of a smaller one.
-  void warn_of_deepest(bool& warned, const std::string& reached, const std::string& rest);
 
   ValidityLimits limits_;
   ValidityWarnings state_;

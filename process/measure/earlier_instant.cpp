@@ -88,13 +88,13 @@ results::FillResult result_at(const results::FillResult& result, double time, bo
   return earlier;
 }
 
-results::FillResult result_seen_at(const results::FillResult& result, double time, bool with_solid_fraction) {
-  results::FillResult seen = result_at(result, time, with_solid_fraction);
-  if (const results::Instant* nearest = nearest_instant(result, time)) {
-    seen.powder = results::powder_at(result.powder, *nearest);
-    seen.tools = tools_at(result, *nearest);
-  }
-  return seen;
+results::FillResult film_frame_at(const results::FillResult& result, double time, bool with_solid_fraction) {
+  results::FillResult frame = result_at(result, time, with_solid_fraction);
+  const results::Instant* nearest = nearest_instant(result, time);
+  if (nearest == nullptr || frame_of_die(result, *nearest).at_initial_pose()) return frame;
+  frame.powder = results::powder_at(result.powder, *nearest);
+  frame.tools = tools_at(result, *nearest);
+  return frame;
 }
 
 results::FillResult powder_at(const results::FillResult& result, const results::Instant& instant,

@@ -12,9 +12,10 @@ namespace diefill::process {
 /// positions are in the frame of the die as it was then, as those of the end are in its frame at the end.
 results::FillResult result_at(const results::FillResult& result, double time,
                               bool with_solid_fraction = true);
-/// The same with powder and tools in the frame of FillResult::instants, in which a die is seen to be shaken.
-results::FillResult result_seen_at(const results::FillResult& result, double time,
-                                   bool with_solid_fraction = true);
+/// The same with powder and tools in the frame of FillResult::instants, so that films show how a die is
+/// shaken.
+results::FillResult film_frame_at(const results::FillResult& result, double time,
+                                  bool with_solid_fraction = true);
 
 /// Powder, tools and cavities at a kept instant, with solid fractions measured again where wanted; nothing
 /// else of the result. All in the frame of the die at that instant.

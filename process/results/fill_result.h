@@ -204,8 +204,8 @@ struct SolidFractionSummary {
 };
 
 /// The powder and the tools' places at an earlier instant of the run. Arrays over the grains there were, and
-/// over FillResult::tools. In the laboratory frame where the die ended at its initial position, else in the
-/// frame of the die as it was then.
+/// over FillResult::tools. In the laboratory frame where there is no die or it ends at its initial position,
+/// else in the frame of the die at that time.
 struct Instant {
   double time = 0;                                 ///< s since the start of the scene
   std::vector<std::uint64_t> id;                   ///< identity of the grain

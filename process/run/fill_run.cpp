@@ -266,6 +266,7 @@ std::vector<std::string> FillRun::warnings() const {
   if (ended_early())
     all.insert(all.begin(), "unfinished: " + why_unfinished() + "; all figures refer to this time");
   for (auto& economy : economies_text(scene_, *simulation_, sphere_steps_)) all.push_back(std::move(economy));
+  for (auto& overlap : engine::overlap_warnings(*simulation_)) all.push_back(std::move(overlap));
   all.insert(all.end(), monitor_.warnings().begin(), monitor_.warnings().end());
   if (sheared_.grains() > 0) all.push_back(shear_warning());
   if (auto leak = leak_watch_.warning(grains_poured())) all.push_back(std::move(*leak));

@@ -84,8 +84,8 @@ class Schedule {
   bool measured(const Condition& condition, ConditionState& watch,
                 const engine::Simulation& simulation) const;
   bool time_fulfils(const Condition& condition, double now) const;
-  bool is_held_up(std::size_t k) const;
-  std::string why_held_up(std::size_t k) const;
+  bool has_no_way_left(std::size_t k) const;
+  std::string why_no_way_left(std::size_t k) const;
   bool goes_on_by_itself(std::size_t k, const engine::Simulation& simulation) const;
   bool lets_powder_in(std::size_t k, const engine::Simulation& simulation) const;
   const Condition* unmet_by(std::size_t k, double now) const;

@@ -30,12 +30,12 @@ bool Schedule::lets_powder_in(std::size_t k, const engine::Simulation& simulatio
 }
 
 /// Whether step k has brought its tools to the end of their way before the powder bears what it is to bear.
-bool Schedule::is_held_up(std::size_t k) const {
+bool Schedule::has_no_way_left(std::size_t k) const {
   const ForceControl* law = stages_.steps[k]->control();
   return law != nullptr && law->is_at_its_limit(state_.steps[k].control);
 }
 
-std::string Schedule::why_held_up(std::size_t k) const {
+std::string Schedule::why_no_way_left(std::size_t k) const {
   const ForceControl& law = *stages_.steps[k]->control();
   const ControlState& state = state_.steps[k].control;
   const char* unit = law.turns ? "N m" : "N";
@@ -56,7 +56,7 @@ bool Schedule::goes_on_by_itself(std::size_t k, const engine::Simulation& simula
   const double now = simulation.time();
   if (state.has_ended()) return false;
   if (state.is_pending()) return step.plan.start && time_fulfils(*step.plan.start, now);
-  if (state.stop_requested >= 0 || (!step.tools().empty() && !is_held_up(k))) return true;
+  if (state.stop_requested >= 0 || (!step.tools().empty() && !has_no_way_left(k))) return true;
   if (!step.open_ended() && step.duration()) return true;
   if (step.inflow() != nullptr && lets_powder_in(k, simulation)) return true;
   if (step.plan.until) return time_fulfils(*step.plan.until, now);
@@ -91,7 +91,7 @@ std::string Schedule::unmet_condition(const engine::Simulation& simulation) cons
            results::formatted(", which bears %.3g N", mean_force(condition->on));
   }
   for (std::size_t k = 0; k < stages_.size(); ++k)
-    if (state_.steps[k].is_active() && is_held_up(k)) return why_held_up(k);
+    if (state_.steps[k].is_active() && has_no_way_left(k)) return why_no_way_left(k);
   return description() + " waits for room to let powder in";
 }
 

@@ -230,14 +230,12 @@ LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
   const LabPlan plan = experiment.plan(setting);
   FoundJobs found;
   if (!plan.runs.empty()) {
-    const auto find = [&] {
-      const auto variants = variants_of(experiment, plan, setting, jobs.directory);
-      return find_jobs(jobs.directory, {experiment.name, variants, jobs.seeds, {}});
-    };
-    if (jobs.run)
+    if (jobs.run) {
       found.list = make_runs(experiment, plan, setting, jobs);
-    else
-      found = find();
+    } else {
+      const auto variants = variants_of(experiment, plan, setting, jobs.directory);
+      found = find_jobs(jobs.directory, {experiment.name, variants, jobs.seeds, {}});
+    }
   }
   if (jobs.run) make_custom_runs(plan.custom_runs, jobs);
   const FinishedRuns runs(jobs.directory, found, plan.custom_runs, jobs.seeds);

@@ -14,7 +14,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '2', '1'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '2', '2'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   engine::Fnv1a hash;
@@ -25,8 +25,6 @@ std::uint64_t hash_of(const std::string& bytes) {
 /// Passes every value of the warnings to `io`, a ByteWriter or a ByteReader.
 template <class Io, class Warnings>
 void transfer_warnings(Io& io, Warnings& warnings) {
-  io(warnings.overlap);
-  io(warnings.pinch);
   io(warnings.energy);
   io(warnings.speed);
   io(warnings.contacts);

@@ -46,9 +46,9 @@ TEST(EarlierInstant, IsMeasuredInTheFrameOfTheDieAsItWasThen) {
   EXPECT_LT((then.tools[0].vertices[0] - result.tools[0].vertices[0]).norm(), 1e-15);
 }
 
-TEST(EarlierInstant, IsSeenInTheFrameThatItWasKeptIn) {
+TEST(EarlierInstant, OfAFilmIsInTheFrameThatItWasKeptIn) {
   const results::FillResult result = moved_die();
-  const auto then = result_seen_at(result, 1, false);
+  const auto then = film_frame_at(result, 1, false);
   EXPECT_EQ(then.powder.position, result.instants[0].position);
   EXPECT_LT((then.tools[0].vertices[0] - Eigen::Vector3d(0, 0.01, 0.03)).norm(), 1e-15);
 }

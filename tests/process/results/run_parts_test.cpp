@@ -306,7 +306,7 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   EXPECT_EQ(read->strays.place, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(read->strays.time, 0.5);
   EXPECT_TRUE(read->warnings.speed);
-  EXPECT_FALSE(read->warnings.overlap);
+  EXPECT_FALSE(read->warnings.contacts);
   EXPECT_EQ(read->warnings.texts, kept.warnings.texts);
   engine::Simulation resumed(original.settings(), {});
   resumed.restore(read->simulation);
@@ -327,8 +327,8 @@ TEST_F(CheckpointFile, OfTheLayoutBeforeIsRefusedInWords) {
   const auto file = checkpoint_file(folder_.path());
   write_checkpoint(file, {});
   std::string bytes = support::contents(file);
-  ASSERT_EQ(bytes.substr(0, 8), "dfchkp21");
-  folder_.write(file.filename().string(), bytes.replace(7, 1, "8"));
+  ASSERT_EQ(bytes.substr(0, 8), "dfchkp22");
+  folder_.write(file.filename().string(), bytes.replace(7, 1, "1"));
   try {
     read_checkpoint(file);
     FAIL() << "it was read";

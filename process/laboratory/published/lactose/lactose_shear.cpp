@@ -25,17 +25,11 @@ ShearTest test_of(LabSize size, const std::string& name, const AdhesivePowder& p
   return {name, {powder, {10, 700, 0.04}}, {2e3, 1e3}, 10, 2};
 }
 
-/// Over wide ranges some beds are so soft that the head springs back by more than half a grain.
-double spring_back(const std::string& table) {
-  return table == "T17" || table == "T18" ? 3 : 0.5;
-}
-
 Study study_of(const LabSetting& setting, const std::string& table) {
   Study study;
   study.design = design_runs(setting.scenes / kLactoseDesigns, table);
   for (std::size_t k = 0; k < study.design.size(); ++k) {
     study.tests.push_back(test_of(setting.size, "run " + std::to_string(k), study.design[k].powder));
-    study.tests.back().back = spring_back(table);
     for (const auto& run : study.tests.back().run_names()) study.runs.push_back(run);
   }
   const auto metric = [tests = study.tests](double (*value)(const SeedResults&, const ShearTest&)) {

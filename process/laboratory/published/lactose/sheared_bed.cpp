@@ -12,11 +12,12 @@ namespace {
 using continuum::StressPoint;
 
 constexpr const char *kHead = "head", *kPreshearedBed = "presheared";
-constexpr double kStretch = 3;    // d at the rim, of the pre-shear's means
-constexpr double kPeak = 0.3;     // d, over which the strength is a mean
-constexpr double kTravel = 2;     // d, of the head after it is unloaded, up and down
-constexpr double kRow = 0.02;     // d, between rows of the probe
-constexpr double kSettle = 0.25;  // sqrt(d / g), until a new load is held
+constexpr double kStretch = 3;     // d at the rim, of the pre-shear's means
+constexpr double kPeak = 0.3;      // d, over which the strength is a mean
+constexpr double kTravel = 2;      // d, of the head after it is unloaded, up and down
+constexpr double kSpringBack = 3;  // d at the rim, at most, until no torque acts on the head
+constexpr double kRow = 0.02;      // d, between rows of the probe
+constexpr double kSettle = 0.25;   // sqrt(d / g), until a new load is held
 /// Of the head's motions: pressed, pre-sheared, freed of torque, unloaded, sheared.
 constexpr std::size_t kPreshearMotion = 1, kShearMotion = 4, kMotions = 5;
 
@@ -57,7 +58,7 @@ LabRun run_of(const ShearTest& test, double stress) {
   set += line("step.preshear.steady", "{ over = " + degrees(filled.angle(kStretch)) + ", within = 0.03 }");
   set += line("step.preshear.angle", degrees(filled.angle(test.longest)));
   set += line("step.release.speed_limit", speed);
-  set += line("step.release.back", degrees(filled.angle(test.back)));
+  set += line("step.release.back", degrees(filled.angle(kSpringBack)));
   set += line("step.release.pause", hold);
   set += line("step.unload.force", newtons(filled.force(stress)));
   set += line("step.unload.travel", millimetres(kTravel * d));

@@ -20,7 +20,6 @@ struct ShearTest {
   std::vector<double> stresses;  ///< Pa, normal, of the shears
   double longest = 20;           ///< d at the rim, of a pre-shear that does not become steady
   double sheared = 4;            ///< d at the rim, of a shear
-  double back = 0.5;             ///< d at the rim, that the head may turn back until no torque acts on it
 
   std::string run_name(double stress) const;
   std::vector<std::string> run_names() const;
