@@ -86,6 +86,12 @@ bool any_ends_flat(const continuum::DischargeFit& fit) {
   return std::any_of(slits.begin(), slits.end(), [](const auto& slit) { return ends_flat(slit.second); });
 }
 
+/// Null without errors: the deviations then follow from the scatter itself.
+Json chi_square(const continuum::DischargeFit& fit) {
+  if (!(fit.used.front().error > 0)) return nullptr;
+  return results::json_number(fit.fit.chi_square_per_freedom);
+}
+
 }  // namespace
 
 std::vector<std::string> doubts(const continuum::DischargeFit& fit) {
@@ -157,7 +163,7 @@ Json fit_as_json(const continuum::DischargeFit& fit, const continuum::DischargeD
                {"points", fit.used.size()},
                {"points_left_out", fit.left_out},
                {"relative_scatter", results::json_number(fit.relative_scatter)},
-               {"chi_square_per_degree_of_freedom", results::json_number(fit.fit.chi_square_per_freedom)},
+               {"chi_square_per_degree_of_freedom", chi_square(fit)},
                {"density_kg_m3", data.density},
                {"effective_opening_grain_diameter_m", data.grain_diameter}};
   for (std::size_t k = 0; k < fit.names.size(); ++k) {

@@ -5,10 +5,12 @@
 #include <limits>
 #include <map>
 
+#include "process/calibration/scene_figures.h"
 #include "process/compare/check_measured.h"
 #include "process/input/scene_error.h"
 #include "process/measured_data/fields_of_shape.h"
 #include "process/results/cavity_rows.h"
+#include "process/results/figure_table.h"
 #include "process/results/word_list.h"
 
 namespace diefill::process::calibration {
@@ -43,6 +45,23 @@ void refuse_other_cavities(const Measurement& measurement, const CavityFigure& f
                    ", allowed: " + results::comma_list(allowed, kMaxNames, " or "));
 }
 
+void refuse_figure(const Measurement& measurement, const CavityFigure& figure,
+                   const std::vector<bool>& rings) {
+  if (!rings.empty()) refuse_other_cavities(measurement, figure, rings.size());
+  const results::Figure* known = results::find_figure(figure.name);
+  if (known == nullptr) return;
+  if (const auto reason = why_cavity_has_no(known->name, figure.cavity, rings))
+    throw SceneError(measurement.figure_place + ": found \"" + measurement.figure + "\", " + *reason);
+}
+
+/// Whether the cavities decide if results have the figure.
+bool is_to_be_checked(const CalibrationPlan& plan, const Measurement& measurement,
+                      const CavityFigure& figure) {
+  if (figure.cavity > 1) return true;
+  const results::Figure* known = results::find_figure(figure.name);
+  return known != nullptr && depends_on_cavity(scene_at(plan, measurement.runs.front(), {}), known->name);
+}
+
 }  // namespace
 
 void check_cavities(const CalibrationPlan& plan, const ProgressCallback& on_progress) {
@@ -50,15 +69,14 @@ void check_cavities(const CalibrationPlan& plan, const ProgressCallback& on_prog
   for (const Measurement& measurement : plan.measurements) {
     const bool field = measurement.kind == "profile" || measurement.kind == "map";
     const CavityFigure figure = cavity_figure(measurement.figure);
-    if (!field && figure.cavity < 2) continue;
+    if (!field && !is_to_be_checked(plan, measurement, figure)) continue;
     const MeasurementRun& run = measurement.runs.front();
     const auto [rings, is_new] = known.emplace(run.file.string() + '\n' + run.set, std::vector<bool>());
     if (is_new) rings->second = rings_of(scene_at(plan, run, {}), on_progress);
-    if (rings->second.empty()) continue;
-    if (field)
+    if (!field)
+      refuse_figure(measurement, figure, rings->second);
+    else if (!rings->second.empty())
       refuse_field_of_other_shape(measurement.data, measurement.quantity, rings->second);
-    else
-      refuse_other_cavities(measurement, figure, rings->second.size());
   }
 }
 

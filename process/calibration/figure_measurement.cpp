@@ -7,6 +7,7 @@
 
 #include "process/calibration/measurement.h"
 #include "process/calibration/possible_figures.h"
+#include "process/calibration/scene_figures.h"
 #include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
 #include "process/input/unit_conversion.h"
@@ -57,6 +58,27 @@ void refuse_unknown_item(TableReader& table, const std::string& word,
   throw SceneError(table.where("figure") + ": " + not_among(word, items));
 }
 
+/// Figures of flow probes that the scene does not have, and masses of a real powder whose density is not
+/// known.
+void refuse_unknown_flow(TableReader& table, const std::string& word, const Scene& scene) {
+  static const std::regex of_flow("((real_mass|volume|mass|rate)_through_)(.*)");
+  std::smatch parts;
+  if (!std::regex_match(word, parts, of_flow)) return;
+  std::vector<std::string> allowed;
+  for (const ProbeSpec& probe : scene.probes)
+    if (probe.quantity == ProbeQuantity::flow) allowed.push_back(parts[1].str() + probe.name);
+  if (allowed.empty())
+    table.reject("figure", "the scene has no [[probe]] with quantity = \"flow\"; add one with name = \"" +
+                               parts[3].str() + '"');
+  if (std::find(allowed.begin(), allowed.end(), word) == allowed.end())
+    throw SceneError(table.where("figure") + ": " + not_among(word, allowed));
+  if (parts[2] == "real_mass" && !(scene.powder.apparent_density > 0))
+    table.reject("figure",
+                 "the density of the real powder is not known; set powder.apparent_density, or measure "
+                 "\"volume_through_" +
+                     parts[3].str() + '"');
+}
+
 /// As results call the figure: of a further cavity some have another name after the number.
 std::string stored_name(const std::string& word, const results::Figure& figure) {
   const std::string name = figure.name;
@@ -74,6 +96,7 @@ ChosenFigure figure_called(TableReader& table, const std::string& word, const Sc
     known.push_back(quantity.about.key);
   }
   for (const Zone& zone : zones_in(scene.text)) known.push_back(zone_mass_figure(zone.name));
+  refuse_unknown_flow(table, word, scene);
   refuse_unknown_item(table, word, known);
   for (const results::Figure& figure : results::figure_table()) known.emplace_back(figure.name);
   if (const results::Figure* figure = results::find_figure(word))
@@ -161,6 +184,27 @@ std::vector<MeasurementRun> runs_over(const MeasurementRun& run, const std::stri
   return runs;
 }
 
+/// Throws SceneError for a place of the curve that the scene cannot have, at its line where it stands in a
+/// file; at `over` where the scene can have none of them.
+void try_places(const MeasurementRun& run, const std::string& key, const MeasuredTable& data,
+                const std::string& where_over) {
+  const MeasuredColumn& places = data.places[0];
+  std::optional<std::size_t> wrong;
+  std::size_t failed = 0;
+  for (std::size_t k = 0; k < data.size(); ++k) {
+    try {
+      try_assignment(run, assignment_at(places.values[k], key, places), where_over);
+    } catch (const SceneError&) {
+      if (!wrong) wrong = k;
+      ++failed;
+    }
+  }
+  if (!wrong) return;
+  const bool is_of_file = !data.lines.empty() && failed < data.size();
+  try_assignment(run, assignment_at(places.values[*wrong], key, places),
+                 is_of_file ? data.where_of(*wrong) : where_over);
+}
+
 /// A value of each run, in the measured one's unit.
 std::function<std::vector<double>(const std::vector<FinishedRun>&)> values_of_runs(
     const std::string& word, const ChosenFigure& figure, double factor, const MeasuredColumn& column) {
@@ -187,16 +231,16 @@ Measurement read_figure_measurement(TableReader& table, const MeasurementContext
   measurement.data = over ? read_measured(table, 1) : measured_figure(table);
   if (!over && measurement.data.size() != 1)
     table.reject("file", "a single figure has one row; give \"over\" for a curve");
-  const ChosenFigure figure = figure_called(table, word, parse_scene(run.text, run.file));
+  const Scene scene = parse_scene(run.text, run.file);
+  const ChosenFigure figure = figure_called(table, word, scene);
+  if (const results::Figure* known = results::find_figure(word))
+    if (const auto reason = why_powder_has_no(scene, known->name)) table.reject("figure", *reason);
   const double factor = factor_into(table, measurement.data.value, figure);
   refuse_impossible(measurement.data, possible_values_of_figure(word, figure.unit));
   measurement.quantity = figure.name;
   measurement.figure = word;
   measurement.figure_place = table.where("figure");
-  if (over)
-    try_assignment(
-        run, assignment_at(measurement.data.places[0].values.front(), *over, measurement.data.places[0]),
-        table.where("over"));
+  if (over) try_places(run, *over, measurement.data, table.where("over"));
   measurement.runs = over ? runs_over(run, *over, measurement.data.places[0]) : std::vector{run};
   if (over) measurement.data.places[0].name = *over;
   measurement.simulated = values_of_runs(word, figure, factor, measurement.data.value);

@@ -106,6 +106,7 @@ std::vector<Measurement> read_measurements(TableReader& document, const Measurem
   Choices<ReadMeasurement> kinds;
   for (const MeasurementKind& kind : measurement_kinds()) kinds.emplace_back(kind.word, kind.read);
   static const Choices<bool> uses = {{"fit", true}, {"check", false}};
+  document.require("measurement", "a [[measurement]] with name, scene, figure, value and deviation");
   std::vector<Measurement> all;
   for (TableReader& table : document.tables("measurement")) {
     const std::string name = table.required_name("name", "heap");

@@ -43,7 +43,9 @@ void check_key(const TableReader& table, const ParameterRange& range,
     table.reject("key",
                  "expected the path of a key alone, without \"=\", value or comment, such as "
                  "\"powder.friction\"");
-  const auto same = [&](const ParameterRange& other) { return other.key == range.key; };
+  const auto same = [names = key_names(range.key)](const ParameterRange& other) {
+    return key_names(other.key) == names;  // however they are quoted
+  };
   if (std::any_of(earlier.begin(), earlier.end(), same))
     table.reject("key", "an earlier [[parameter]] has this key; give each key once");
 }
@@ -66,6 +68,7 @@ std::string ParameterRange::assignment(double place) const {
 
 std::vector<ParameterRange> read_parameters(TableReader& document) {
   static const Choices<bool> scales = {{"linear", false}, {"logarithmic", true}};
+  document.require("parameter", "a [[parameter]] with key, from and to");
   std::vector<ParameterRange> all;
   for (TableReader& table : document.tables("parameter")) {
     ParameterRange range;
@@ -88,9 +91,7 @@ std::vector<ParameterRange> read_parameters(TableReader& document) {
       table.reject("from", "a logarithmic range begins above 0; raise it or use scale = \"linear\"");
     all.push_back(std::move(range));
   }
-  if (all.empty())
-    document.reject("parameter",
-                    "expected a [[parameter]] with key, from and to, such as key = \"powder.friction\"");
+  if (all.empty()) document.reject("parameter", "expected at least one [[parameter]]");
   return all;
 }
 

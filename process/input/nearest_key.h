@@ -7,8 +7,8 @@
 
 namespace diefill::process {
 
-/// Number of single-character insertions, deletions and replacements that turn `a` into `b` (Levenshtein),
-/// after making both lower case and taking '-' and ' ' for '_'.
+/// Number of insertions, deletions and replacements of a letter and of swaps of two neighbouring ones that
+/// turn `a` into `b` (optimal string alignment), after making both lower case and taking '-' and ' ' for '_'.
 std::size_t edit_distance(const std::string& a, const std::string& b);
 
 /// The one known word that `word` (three letters or more) is the beginning of; else the known word nearest to

@@ -23,4 +23,13 @@ bool is_key_path(const std::string& key) {
   }
 }
 
+std::vector<std::string> key_names(const std::string& key) {
+  const toml::table document = parse_scene_text(key + " = 0", "key");
+  std::vector<std::string> names;
+  for (const toml::table* table = &document; table != nullptr && !table->empty();
+       table = table->begin()->second.as_table())
+    names.emplace_back(table->begin()->first.str());
+  return names;
+}
+
 }  // namespace diefill::process

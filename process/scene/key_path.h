@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace diefill::process {
 
@@ -9,5 +10,9 @@ namespace diefill::process {
 /// " = 1" it sets that key. False for text that brings a value or a comment of its own, such as
 /// `powder.friction = 3 #`, after which the value would be lost.
 bool is_key_path(const std::string& key);
+
+/// The names of a key path, the outermost first: {"powder", "friction"} of `powder."friction"`. Throws
+/// SceneError for text that is no TOML.
+std::vector<std::string> key_names(const std::string& key);
 
 }  // namespace diefill::process

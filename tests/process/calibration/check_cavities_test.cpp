@@ -64,6 +64,23 @@ TEST(CavitiesOfMeasurements, ThatTheDieDoesNotHaveAreRefusedWithThoseThatItHas) 
   EXPECT_NE(said.find("but the die has one cavity, allowed: \"fill_ratio\""), std::string::npos) << said;
 }
 
+TEST(FiguresOfMeasurements, OfAnotherShapeOfCavityAreRefused) {
+  EXPECT_EQ(message_of_figure("ring_6mm.toml", "solid_fraction_harmonic_1"), "no message");
+  EXPECT_EQ(message_of_figure("square.toml", "solid_fraction_along_travel_1"), "no message");
+  const std::string of_square = message_of_figure("square.toml", "solid_fraction_harmonic_1");
+  EXPECT_NE(of_square.find("calibration.toml:8:"), std::string::npos) << of_square;
+  EXPECT_NE(of_square.find("only rings have it, and the cavity is none"), std::string::npos) << of_square;
+  const std::string of_ring = message_of_figure("ring_6mm.toml", "solid_fraction_along_travel_1");
+  EXPECT_NE(of_ring.find("only cavities that are no ring have it, and the cavity is a ring"),
+            std::string::npos)
+      << of_ring;
+}
+
+TEST(FiguresOfMeasurements, OfCavitiesAreRefusedWhereTheToolsHaveNone) {
+  const std::string said = message_of_figure("../calibration/slit.toml", "fill_ratio");
+  EXPECT_NE(said.find("the tools have no cavity"), std::string::npos) << said;
+}
+
 TEST(FieldsOfMeasurements, ThatResultsOfTheDieHavePass) {
   EXPECT_EQ(message_of_profile("ring_6mm.toml", "fill level", "\"10 deg\", \"200 deg\""), "no message");
   EXPECT_EQ(message_of_profile("square.toml", "fill level", "\"1 mm\", \"3 mm\""), "no message");

@@ -63,6 +63,32 @@ TEST_F(Measurements, OfZonesOfFurtherCavitiesAreRefused) {
          "of further cavities there are no figures of zones; allowed: \"mass_share_in_flange\", of all");
 }
 
+TEST_F(Measurements, OfSizesAndPowdersThatTheSceneDoesNotHaveAreRefused) {
+  const std::string one = "value = \"0.3\"\ndeviation = \"0.01\"\n";
+  expect("figure = \"mixing_index_height\"\n" + one, "all grains have one size");
+  for (const char* figure : {"powder_mixing_index_height", "first_powder_mass_share_filled"})
+    expect("figure = \"" + std::string(figure) + "\"\n" + one, "the scene has one powder");
+}
+
+TEST_F(Measurements, OfFlowsThatTheSceneDoesNotRecordAreRefused) {
+  const std::string mass = "value = \"3 g\"\ndeviation = \"0.1 g\"\n";
+  expect("figure = \"real_mass_through_slit\"\n" + mass,
+         "the scene has no [[probe]] with quantity = \"flow\"; add one with name = \"slit\"");
+  folder_.write(faultless_scene() +
+                "[[probe]]\nname = \"tray\"\nquantity = \"flow\"\norigin = [\"0 mm\", \"0 mm\", \"-2 mm\"]\n"
+                "normal = \"-z\"\ninterval = \"1 ms\"\n");
+  expect("figure = \"mass_through_slit\"\n" + mass, "\"mass_through_tray\"");
+  EXPECT_EQ(message_of("figure = \"mass_through_tray\"\n" + mass), "no message");
+}
+
+TEST_F(Measurements, OfPlacesThatTheSceneCannotHaveAreNamedWithTheirLine) {
+  const std::string curve = "figure = \"filled_mass_kg\"\nover = \"powder.friction\"\nfile = \"m.csv\"\n";
+  expect(curve, "m.csv:3: ", "friction [1], mass [g], deviation [g]\n0.1, 3, 0.1\n500, 3, 0.1\n");
+  expect(curve, "m.csv:2: ", "friction [1], mass [g], deviation [g]\n-1, 3, 0.1\n0.5, 3, 0.1\n");
+  expect("figure = \"filled_mass_kg\"\nover = \"powder.frction\"\nfile = \"m.csv\"\n",
+         "calibration.toml:5:", "friction [1], mass [g], deviation [g]\n0.1, 3, 0.1\n0.5, 3, 0.1\n");
+}
+
 TEST_F(Measurements, OfOneRunAndOneQuantityCountOnce) {
   const std::string one = "figure = \"filled_mass_kg\"\nvalue = \"3 g\"\ndeviation = \"0.1 g\"\n",
                     other = one + "\n[[measurement]]\nname = \"b\"\nscene = \"scene.toml\"\n";

@@ -40,8 +40,14 @@ TEST(ParameterRange, LinearAndLogarithmicRangesRunFromEndToEnd) {
 }
 
 TEST(ParameterRange, FaultsAreNamedWithTheirPlace) {
-  EXPECT_NE(message_of("").find("expected a [[parameter]]"), std::string::npos);
+  EXPECT_NE(message_of("").find("a [[parameter]] with key, from and to"), std::string::npos);
+  EXPECT_NE(message_of("parameter = []\n").find("expected at least one [[parameter]]"), std::string::npos);
+  EXPECT_NE(message_of("[[paramter]]\nkey = \"powder.friction\"\n").find("did you mean \"parameter\"?"),
+            std::string::npos);
   EXPECT_NE(message_of(kFriction + kFriction).find("give each key once"), std::string::npos);
+  EXPECT_NE(message_of(kFriction + "[[parameter]]\nkey = 'powder.\"friction\"'\nfrom = 0.2\nto = 1.0\n")
+                .find("give each key once"),
+            std::string::npos);
   EXPECT_NE(
       message_of("[[parameter]]\nkey = \"step.1.velocity\"\nfrom = 1\nto = 2\n").find("a key of [powder]"),
       std::string::npos);

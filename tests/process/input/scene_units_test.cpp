@@ -164,6 +164,13 @@ TEST(NearestKey, CountsInsertionsDeletionsAndReplacements) {
   EXPECT_EQ(edit_distance("Fill-Height", "fill_height"), 0U);
 }
 
+TEST(NearestKey, CountsTwoSwappedLettersOnce) {
+  EXPECT_EQ(edit_distance("fiel", "file"), 1U);
+  EXPECT_EQ(edit_distance("form", "from"), 1U);
+  EXPECT_EQ(edit_distance("ca", "abc"), 3U);  // letters that were swapped are not changed again
+  EXPECT_EQ(nearest_key("form", {"key", "from", "to"}), "from");
+}
+
 TEST(NearestKey, FindsTheMeantKeyAndLeavesStrangersAlone) {
   const std::vector<std::string> known = {"friction", "rolling_friction", "grain_mass"};
   EXPECT_EQ(nearest_key("frictoin", known), "friction");
