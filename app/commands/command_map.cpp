@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "app/commands/commands.h"
+#include "app/commands/measured_pictures.h"
 #include "app/commands/options_in_use.h"
 #include "app/commands/shared_options/measured_region.h"
 #include "app/commands/shared_options/view_options.h"
@@ -21,12 +22,8 @@
 #include "process/measure/choose_cavity.h"
 #include "process/measure/fields/measured_fields.h"
 #include "process/measure/fields/time_average.h"
-#include "process/measured_data/compare_with_measured.h"
 #include "process/results/formatted.h"
-#include "process/results/storage/atomic_file.h"
 #include "process/results/storage/result_file.h"
-#include "process/results/studies/measured_files.h"
-#include "render/report/sections/measured_section.h"
 
 namespace diefill::app {
 
@@ -164,37 +161,6 @@ int standard_pictures(PictureRequest& request) {
   return kDone;
 }
 
-/// A file of the user's may have the name of one of the tables.
-void refuse_foreign_files(const PictureRequest& request, const std::vector<process::MeasuredFile>& measured) {
-  for (const auto& file : measured)
-    if (const auto foreign = results::foreign_measured_file(request.out, file.file.stem().string()))
-      throw process::SceneError(
-          "--measured: found \"" + file.file.string() + "\", whose comparison would replace " +
-          foreign->string() +
-          ", which is not of an earlier comparison; rename that file, or choose another "
-          "directory with --out");
-}
-
-/// Pictures and tables that compare the result with measurements, and the statistics on the terminal.
-int against_measured(const PictureRequest& request, const std::vector<process::MeasuredFile>& measured) {
-  refuse_foreign_files(request, measured);
-  set_up_drawing();
-  for (const auto& file : measured) {
-    const auto comparison = process::compare_with_measured(file, request.sources.front().result);
-    std::printf("%s", render::report::measured_text(comparison).c_str());
-    write_output([&] {
-      for (const auto& name : results::write_measured_comparison(request.out, comparison))
-        std::printf("%s\n", (request.out / name).string().c_str());
-      for (const auto& picture : render::report::measured_pictures(comparison)) {
-        const auto png = request.out / ("measured_" + comparison.name + picture.suffix + ".png");
-        results::write_text_atomically(png, picture.figure.png.toStdString());
-        std::printf("%s\n", png.string().c_str());
-      }
-    });
-  }
-  return kDone;
-}
-
 /// --x and --y alone select the chart of probes; with other kinds of picture they are refused.
 void choose_probe_chart(MapArguments& arguments) {
   if (arguments.x.empty() && arguments.y.empty()) return;
@@ -247,7 +213,7 @@ int map(MapArguments arguments) {
     throw process::SceneError("several results directories: add --picture to choose what to draw");
   PictureRequest request = request_of(arguments);
   const DirectoryToFill filled(request.out);
-  if (!arguments.measured.empty()) return against_measured(request, measured);
+  if (!arguments.measured.empty()) return draw_against_measured(request, measured);
   if (arguments.pictures.empty()) return standard_pictures(request);
   set_up_drawing();
   draw_each(request, arguments.pictures);

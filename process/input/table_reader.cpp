@@ -9,20 +9,12 @@
 #include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
+#include "process/input/source_place.h"
 #include "process/input/unit_vector.h"
 #include "process/results/word_list.h"
 
 namespace diefill::process {
 namespace {
-
-/// "file:line:column"; "--set, change 2" of what comes from elsewhere (parse_changes).
-std::string place(const std::filesystem::path& file, const toml::source_region& region) {
-  // A value made up by the parser has no position; it belongs to the top of the file.
-  const auto line = std::max<toml::source_index>(region.begin.line, 1),
-             column = std::max<toml::source_index>(region.begin.column, 1);
-  if (region.path && !region.path->empty()) return *region.path + ", change " + std::to_string(line);
-  return file.string() + ':' + std::to_string(line) + ':' + std::to_string(column);
-}
 
 /// Lists longer than in any scene would take minutes to process.
 constexpr std::size_t kMaxEntries = 1000, kLongestName = 100;
@@ -72,7 +64,7 @@ std::string TableReader::named(const toml::source_region& at, const std::string&
   const toml::node* value = table_->get(whole);
   const auto written =
       written_ != nullptr && value != nullptr ? written_->path_of(*value, whole) : std::nullopt;
-  return place(file_, at) + ": " +
+  return source_place(file_, at) + ": " +
          (written ? one_line(*written + key.substr(part), kLongestKey) : full_key(key));
 }
 
@@ -271,11 +263,9 @@ std::optional<Eigen::Vector3d> TableReader::direction(const std::string& key) {
       "expected an axis (\"x\", \"y\", \"z\", \"-x\", ...) or three numbers that are not all zero, such as "
       "[0, 1, 0]";
   if (const auto word = node->value_exact<std::string>()) {
-    const bool negative = word->starts_with('-');
-    const std::string axis = word->substr(negative || word->starts_with('+') ? 1 : 0);
-    const std::size_t index = axis.size() == 1 ? kAxes.find(axis) : std::string_view::npos;
-    if (index == std::string_view::npos) reject_node(*node, key, needed);
-    return Eigen::Vector3d::Unit(static_cast<Eigen::Index>(index)) * (negative ? -1.0 : 1.0);
+    const auto axis = axis_called(*word);
+    if (!axis) reject_node(*node, key, needed);
+    return axis;
   }
   const toml::array* list = node->as_array();
   if (list == nullptr || list->size() != 3) reject_node(*node, key, needed);

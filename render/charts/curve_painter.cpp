@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/charts/legend_layout.h"
 #include "render/style/text.h"
 
 namespace diefill::render {
@@ -14,8 +15,6 @@ namespace {
 
 constexpr double kLineWidth = 4;
 constexpr double kMarkerRadius = 8;
-constexpr double kSampleLength = 64;  // of the piece of curve in the legend
-constexpr double kLegendRow = 42;
 
 // How a curve looks: colours go through all curves; dashes only through those with lines, so that a model's
 // line among measured points is solid; with five marker shapes to eight colours no look repeats within forty
@@ -217,88 +216,6 @@ void draw_sample(QPainter& painter, const Curve& curve, const Look& look, double
   if (has_marks(curve.style)) draw_marker(painter, {left + 0.5 * kSampleLength, middle}, look);
 }
 
-constexpr double kTextGap = 12, kColumnGap = 40;  // of a legend
-
-/// The sample of a curve and its name.
-struct LegendEntry {
-  std::size_t curve, row;
-  double left, room;  ///< from the legend's left; for the name
-};
-
-struct Legend {
-  std::vector<LegendEntry> entries;
-  int pixels = kTickPixels;  ///< of the type
-
-  std::size_t rows() const { return entries.empty() ? 0 : entries.back().row + 1; }
-  double row_height() const { return kLegendRow * pixels / kTickPixels; }
-};
-
-/// A curve and the width of its name.
-struct NamedCurve {
-  std::size_t curve;
-  double width;
-};
-
-std::vector<NamedCurve> named(const std::vector<Curve>& curves, int pixels) {
-  std::vector<NamedCurve> found;
-  for (std::size_t k = 0; k < curves.size(); ++k)
-    if (!curves[k].name.empty())
-      found.push_back({k, text_width(QString::fromStdString(curves[k].name), text_font(pixels)) + 2});
-  return found;
-}
-
-/// Row by row in `cells` cells of width `pitch`; a long name takes several.
-Legend in_cells(const std::vector<NamedCurve>& curves, std::size_t cells, double pitch, int pixels) {
-  constexpr double kBesideName = kSampleLength + kTextGap + kColumnGap, kRounding = 1e-9;
-  Legend legend{{}, pixels};
-  std::size_t cell = 0, row = 0;
-  for (const NamedCurve& one : curves) {
-    const double wanted = std::max(1.0, std::ceil((kBesideName + one.width) / pitch - kRounding));
-    const std::size_t taken = std::min(cells, static_cast<std::size_t>(wanted));
-    if (cell + taken > cells) {
-      cell = 0;
-      ++row;
-    }
-    legend.entries.push_back({one.curve, row, static_cast<double>(cell) * pitch,
-                              std::min(one.width, static_cast<double>(taken) * pitch - kBesideName)});
-    cell += taken;
-  }
-  return legend;
-}
-
-/// In columns as wide as the widest name asks for.
-Legend in_equal_columns(const std::vector<NamedCurve>& curves, double width, int pixels) {
-  double pitch = 0;
-  for (const NamedCurve& one : curves)
-    pitch = std::max(pitch, kSampleLength + kTextGap + one.width + kColumnGap);
-  pitch = std::min(pitch, width + kColumnGap);
-  const double columns = pitch > 0 ? std::floor((width + kColumnGap) / pitch) : 1;
-  return in_cells(curves, static_cast<std::size_t>(std::max(1.0, columns)), pitch, pixels);
-}
-
-/// In the cells that make the fewest rows.
-Legend in_fewest_rows(const std::vector<NamedCurve>& curves, double width, int pixels) {
-  Legend best = in_cells(curves, 1, width + kColumnGap, pixels);
-  for (std::size_t cells = 2; cells <= curves.size(); ++cells) {
-    Legend other = in_cells(curves, cells, (width + kColumnGap) / static_cast<double>(cells), pixels);
-    if (other.rows() < best.rows()) best = std::move(other);
-  }
-  return best;
-}
-
-/// Many names stand closer, then in smaller type, so that the legend does not outgrow the curves.
-Legend legend_of(const std::vector<Curve>& curves, double width) {
-  constexpr std::size_t kFewRows = 3, kMostRows = 6;
-  constexpr int kSmallType = 20;
-  Legend legend = in_equal_columns(named(curves, kTickPixels), width, kTickPixels);
-  if (legend.rows() <= kFewRows) return legend;
-  for (const int pixels : {kTickPixels, kNotePixels, kSmallType}) {
-    legend = in_fewest_rows(named(curves, pixels), width, pixels);
-    if (legend.rows() <= kMostRows) break;
-  }
-  return legend;
-}
-
 }  // namespace
 
 QColor curve_colour(std::size_t index) {
@@ -332,7 +249,7 @@ void draw_curve(QPainter& painter, const PlotArea& area, const std::vector<Curve
 
 double draw_legend(QPainter* painter, const std::vector<Curve>& curves, double left, double top,
                    double width) {
-  const Legend legend = legend_of(curves, width);
+  const LegendLayout legend = legend_layout(curves, width);
   const QFont font = text_font(legend.pixels);
   if (painter == nullptr) return static_cast<double>(legend.rows()) * legend.row_height();
   for (const LegendEntry& entry : legend.entries) {
