@@ -26,11 +26,11 @@ void watch_for_ringing(RingingWatch& watch, const ForceControl& control, double 
   if (!watch.rings()) return;
   char text[400];
   std::snprintf(text, sizeof text,
-                "%s%s is unstable: the resistance of the powder oscillated %u times in a "
+                "the force control of %s is unstable: the resistance of the powder oscillated %u times in a "
                 "row between %.2f and %.2f times the target of %.3g %s by t = %.6g s with nothing else "
-                "moving (STABILITY.md, force-controlled pistons); reduce gain (now %.3g) or the time step",
-                kUnstableControl, tools.c_str(), static_cast<unsigned>(watch.swings), watch.lowest,
-                watch.highest, target, control.turns ? "N m" : "N", now, control.gain);
+                "moving (STABILITY.md, force-controlled pistons); reduce gain (now %.3g)",
+                tools.c_str(), static_cast<unsigned>(watch.swings), watch.lowest, watch.highest, target,
+                control.turns ? "N m" : "N", now, control.gain);
   throw engine::OutOfRange(text);
 }
 

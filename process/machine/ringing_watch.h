@@ -9,9 +9,6 @@ namespace diefill::process {
 
 struct ForceControl;
 
-/// Part of the message of unstable control that no other message has.
-inline constexpr const char* kUnstableControl = "the force control of ";
-
 /// Counts oscillations of the powder's resistance about the target. A plain value, so that a checkpoint can
 /// store it.
 struct RingingWatch {

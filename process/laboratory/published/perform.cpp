@@ -21,10 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Scenes of the runs; of those that the folder lists, at a half or a quarter of their time step.
+/// Scenes of the runs; of those that the folder lists, at half their time step.
 std::vector<Variant> variants_of(const SceneExperiment& experiment, const LabPlan& plan,
                                  const LabSetting& setting, const fs::path& directory) {
-  std::map<std::string, int> halvings = halvings_of_runs(directory);
+  const std::set<std::string> halved = runs_at_half_step(directory);
   std::vector<std::string> names;
   for (const LabRun& run : plan.runs) names.push_back(run.name);
   const auto folders = folder_names(names);
@@ -35,7 +35,7 @@ std::vector<Variant> variants_of(const SceneExperiment& experiment, const LabPla
     changes.source = "experiment \"" + names[k] + '"';
     changes.under = line("title", toml_string(experiment.name + ": " + names[k])) + changes.under;
     Scene scene = changed_scene(load_scene_text(file), file, changes);
-    for (int n = 0; n < halvings[names[k]]; ++n) scene = at_half_step(scene);
+    if (halved.contains(names[k])) scene = at_half_step(scene);
     variants.push_back({names[k], folders[k], std::move(scene)});
   }
   return variants;
@@ -188,7 +188,7 @@ results::LabRow row_of(const LabQuantity& quantity, const FinishedRuns& runs,
   return row;
 }
 
-/// Makes the runs, those whose time step proves too long at half of it again.
+/// Makes the runs, those whose time step proves too long a second time.
 results::JobList make_runs(const SceneExperiment& experiment, const LabPlan& plan, const LabSetting& setting,
                            const LabJobs& jobs) {
   results::JobList list;
