@@ -40,7 +40,8 @@ constexpr std::array<PowderRule, 4> kPowderRules = {
       "the scene has one powder, and this needs an [[other_powder]]"},
      {"first_powder_mass_share", has_several_powders,
       "the scene has one powder, and this needs an [[other_powder]]"},
-     {"mixing_index", has_several_sizes, "all grains have one size, and this needs several: give [powder.sizes]"},
+     {"mixing_index", has_several_sizes,
+      "all grains have one size, and this needs several: give [powder.sizes]"},
      {"shoe_speed", moves_a_shoe, "no step moves a shoe"}}};
 
 enum class Shape { any, ring, no_ring };

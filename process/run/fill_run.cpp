@@ -130,8 +130,10 @@ void FillRun::do_periodic_tasks() {
   if (step % kScheduleInterval == 0) show_progress();
   if (!at_sync_step()) return;
   if (options_.stop != nullptr && options_.stop->load()) stop_with_checkpoint();
-  if (stage_over || engine::seconds_since(last_checkpoint_) > scene_.numerics.checkpoint_interval)
-    write_checkpoint();
+  // Of another engine only where its contacts are read anyway: conditions of the schedule see the powder as
+  // last read, and must not see it earlier because a clock ran out.
+  const bool due = engine::seconds_since(last_checkpoint_) > scene_.numerics.checkpoint_interval;
+  if (stage_over || (due && contacts_are_synced())) write_checkpoint();
   if (stage_over && !schedule_.finished()) save_shared_start();
 }
 

@@ -252,7 +252,7 @@ double draw_legend(QPainter* painter, const std::vector<Curve>& curves, double l
   const LegendLayout legend = legend_layout(curves, width);
   const QFont font = text_font(legend.pixels);
   if (painter == nullptr) return static_cast<double>(legend.rows()) * legend.row_height();
-  for (const LegendEntry& entry : legend.entries) {
+  for (const LegendItem& entry : legend.entries) {
     const double x = left + entry.left, y = top + static_cast<double>(entry.row) * legend.row_height();
     draw_sample(*painter, curves[entry.curve], look_of(curves, entry.curve), x,
                 y + 0.5 * legend.row_height());

@@ -13,13 +13,13 @@ namespace diefill::render {
 inline constexpr double kSampleLength = 64, kTextGap = 12;
 
 /// The sample of a curve and its name.
-struct LegendEntry {
+struct LegendItem {
   std::size_t curve, row;
   double left, room;  ///< from the legend's left; for the name
 };
 
 struct LegendLayout {
-  std::vector<LegendEntry> entries;
+  std::vector<LegendItem> entries;
   int pixels = kTickPixels;  ///< of the type
 
   std::size_t rows() const { return entries.empty() ? 0 : entries.back().row + 1; }

@@ -109,7 +109,8 @@ Section measured_and_simulated(const results::Calibration& calibration, bool fit
                                      : "";
     section.blocks.emplace_back(
         Paragraph{measurement.name + ": chi^2 " + in_digits(measurement.chi_square, 3) + " of " +
-                      std::to_string(measurement.data.size()) + " values" + residual + '.',
+                      std::to_string(measurement.data.size()) +
+                      (measurement.data.size() == 1 ? " value" : " values") + residual + '.',
                   false});
     if (!measurement.x_name.empty() && measurement.second_name.empty() && measurement.data.size() > 1)
       figures.figures.push_back(curve_picture(measurement));
