@@ -45,21 +45,20 @@ void refuse_other_cavities(const Measurement& measurement, const CavityFigure& f
                    ", allowed: " + results::comma_list(allowed, kMaxNames, " or "));
 }
 
-void refuse_figure(const Measurement& measurement, const CavityFigure& figure,
+void refuse_figure(const Scene& scene, const Measurement& measurement, const CavityFigure& figure,
                    const std::vector<bool>& rings) {
   if (!rings.empty()) refuse_other_cavities(measurement, figure, rings.size());
   const results::Figure* known = results::find_figure(figure.name);
   if (known == nullptr) return;
-  if (const auto reason = why_cavity_has_no(known->name, figure.cavity, rings))
+  if (const auto reason = why_cavity_has_no(scene, known->name, figure.cavity, rings))
     throw SceneError(measurement.figure_place + ": found \"" + measurement.figure + "\", " + *reason);
 }
 
 /// Whether the cavities decide if results have the figure.
-bool is_to_be_checked(const CalibrationPlan& plan, const Measurement& measurement,
-                      const CavityFigure& figure) {
+bool is_to_be_checked(const Scene& scene, const CavityFigure& figure) {
   if (figure.cavity > 1) return true;
   const results::Figure* known = results::find_figure(figure.name);
-  return known != nullptr && depends_on_cavity(scene_at(plan, measurement.runs.front(), {}), known->name);
+  return known != nullptr && depends_on_cavity(scene, known->name);
 }
 
 }  // namespace
@@ -69,12 +68,13 @@ void check_cavities(const CalibrationPlan& plan, const ProgressCallback& on_prog
   for (const Measurement& measurement : plan.measurements) {
     const bool field = measurement.kind == "profile" || measurement.kind == "map";
     const CavityFigure figure = cavity_figure(measurement.figure);
-    if (!field && !is_to_be_checked(plan, measurement, figure)) continue;
     const MeasurementRun& run = measurement.runs.front();
+    const Scene scene = scene_at(plan, run, {});
+    if (!field && !is_to_be_checked(scene, figure)) continue;
     const auto [rings, is_new] = known.emplace(run.file.string() + '\n' + run.set, std::vector<bool>());
-    if (is_new) rings->second = rings_of(scene_at(plan, run, {}), on_progress);
+    if (is_new) rings->second = rings_of(scene, on_progress);
     if (!field)
-      refuse_figure(measurement, figure, rings->second);
+      refuse_figure(scene, measurement, figure, rings->second);
     else if (!rings->second.empty())
       refuse_field_of_other_shape(measurement.data, measurement.quantity, rings->second);
   }

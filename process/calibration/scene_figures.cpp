@@ -44,6 +44,11 @@ constexpr std::array<PowderRule, 4> kPowderRules = {
       "all grains have one size, and this needs several: give [powder.sizes]"},
      {"shoe_speed", moves_a_shoe, "no step moves a shoe"}}};
 
+bool has_a_die(const Scene& scene) {
+  return std::any_of(scene.tools.begin(), scene.tools.end(),
+                     [](const ToolSpec& tool) { return tool.role == ToolRole::die; });
+}
+
 enum class Shape { any, ring, no_ring };
 
 /// Shapes of cavities that give figures with `part` in their name a value; the first that is met counts.
@@ -92,15 +97,13 @@ std::optional<std::string> why_powder_has_no(const Scene& scene, const std::stri
 bool depends_on_cavity(const Scene& scene, const std::string& figure) {
   const CavityRule* rule = rule_of(figure);
   if (rule == nullptr) return false;
-  return rule->shape != Shape::any ||
-         std::none_of(scene.tools.begin(), scene.tools.end(),
-                      [](const ToolSpec& tool) { return tool.role == ToolRole::die; });
+  return rule->shape != Shape::any || !has_a_die(scene);
 }
 
-std::optional<std::string> why_cavity_has_no(const std::string& figure, std::size_t cavity,
-                                             const std::vector<bool>& rings) {
+std::optional<std::string> why_cavity_has_no(const Scene& scene, const std::string& figure,
+                                             std::size_t cavity, const std::vector<bool>& rings) {
   const CavityRule* rule = rule_of(figure);
-  if (rule == nullptr) return std::nullopt;
+  if (rule == nullptr || (rings.empty() && has_a_die(scene))) return std::nullopt;
   if (rings.empty()) return "no run has a value of it: the tools have no cavity; choose another figure";
   if (rule->shape == Shape::any || cavity > rings.size()) return std::nullopt;
   const bool ring = rings[cavity - 1];

@@ -17,9 +17,10 @@ std::optional<std::string> why_powder_has_no(const Scene& scene, const std::stri
 /// Whether the figure depends on the shape of the cavity, or needs one although no tool is a die.
 bool depends_on_cavity(const Scene& scene, const std::string& figure);
 
-/// Why a cavity has no value of the figure, and what to do; nothing where it may. `rings`: whether each
-/// cavity is a ring, the largest first; empty without a cavity.
-std::optional<std::string> why_cavity_has_no(const std::string& figure, std::size_t cavity,
-                                             const std::vector<bool>& rings);
+/// Why a cavity of the scene has no value of the figure, and what to do; nothing where it may. `rings`:
+/// whether each cavity is a ring, the largest first; empty where none is known before a run, in which a die
+/// may still get one.
+std::optional<std::string> why_cavity_has_no(const Scene& scene, const std::string& figure,
+                                             std::size_t cavity, const std::vector<bool>& rings);
 
 }  // namespace diefill::process::calibration
