@@ -46,11 +46,10 @@ double time_of(const char* option, const std::string& text) {
   return bounded_quantity(option, text, process::Dimension::time, {0, kLongest, false, ""});
 }
 
-/// x, y, z or three numbers such as 1,0,1.
+/// x, y, z, with or without sign, or three numbers such as 1,0,1.
 Eigen::Vector3d normal_of(const std::string& text) {
-  if (text == "x") return Eigen::Vector3d::UnitX();
-  if (text == "y" || text.empty()) return Eigen::Vector3d::UnitY();
-  if (text == "z") return Eigen::Vector3d::UnitZ();
+  if (text.empty()) return Eigen::Vector3d::UnitY();
+  if (const auto axis = process::axis_called(text)) return *axis;
   const auto numbers = numbers_in(text);
   if (numbers.size() == 3) {
     const Eigen::Vector3d given(numbers[0], numbers[1], numbers[2]);

@@ -10,9 +10,9 @@ const toml::node* node_of_key(const toml::table& document, const std::string& ke
   const toml::node* node = &document;
   for (const std::string& name : key_names(key)) {
     const toml::table* table = node->as_table();
-    if (table == nullptr) break;
+    if (table == nullptr) return node;
     node = table->get(name);
-    if (node == nullptr) break;
+    if (node == nullptr) return nullptr;
   }
   return node;
 }

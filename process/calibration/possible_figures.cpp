@@ -48,8 +48,10 @@ constexpr std::array<Rule, 9> kExperimentRules = {{{" less ", "", -kAny, kAny},
                                                    {"angle", "deg", 0, 90},
                                                    {"theta", "deg", 0, 90}}};
 
-/// Figures of the model's grains and walls, of the method's limits, and of the computation.
-constexpr std::array<std::string_view, 28> kOfComputation = {"grain_diameter_m",
+/// Figures of the model's grains and walls, of what the scene prescribes, of the method's limits, and of the
+/// computation.
+constexpr std::array<std::string_view, 29> kOfComputation = {"grain_diameter_m",
+                                                             "shoe_speed_m_s",
                                                              "smallest_grain_diameter_m",
                                                              "largest_grain_diameter_m",
                                                              "coarse_graining_factor",

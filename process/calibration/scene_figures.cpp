@@ -15,19 +15,6 @@ bool has_several_powders(const Scene& scene) {
   return !scene.other_powders.empty();
 }
 
-/// Whether a step moves a shoe.
-bool moves_a_shoe(const Scene& scene) {
-  const auto is_shoe = [&](const std::string& name) {
-    return std::any_of(scene.tools.begin(), scene.tools.end(), [&](const ToolSpec& tool) {
-      return tool.role == ToolRole::shoe && tool.name == name;
-    });
-  };
-  return std::any_of(scene.steps.begin(), scene.steps.end(), [&](const auto& step) {
-    const auto moved = step->tools();
-    return std::any_of(moved.begin(), moved.end(), is_shoe);
-  });
-}
-
 /// What figures with `part` in their name need of the powder; the first that is met counts.
 struct PowderRule {
   std::string_view part;
@@ -35,14 +22,13 @@ struct PowderRule {
   const char* otherwise;
 };
 
-constexpr std::array<PowderRule, 4> kPowderRules = {
+constexpr std::array<PowderRule, 3> kPowderRules = {
     {{"powder_mixing_index", has_several_powders,
       "the scene has one powder, and this needs an [[other_powder]]"},
      {"first_powder_mass_share", has_several_powders,
       "the scene has one powder, and this needs an [[other_powder]]"},
      {"mixing_index", has_several_sizes,
-      "all grains have one size, and this needs several: give [powder.sizes]"},
-     {"shoe_speed", moves_a_shoe, "no step moves a shoe"}}};
+      "all grains have one size, and this needs several: give [powder.sizes]"}}};
 
 bool has_a_die(const Scene& scene) {
   return std::any_of(scene.tools.begin(), scene.tools.end(),

@@ -37,7 +37,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   const std::string from = plain(a), to = plain(b);
   // Rows of the distances between the beginnings of `from` and of `to`: the last two, and the one being
   // filled.
-  std::vector<std::size_t> before_last, last(to.size() + 1), row(to.size() + 1);
+  std::vector<std::size_t> before_last(to.size() + 1), last(to.size() + 1), row(to.size() + 1);
   std::iota(last.begin(), last.end(), std::size_t{0});
   for (std::size_t i = 1; i <= from.size(); ++i) {
     row[0] = i;
@@ -47,8 +47,8 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
       if (i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1])
         row[j] = std::min(row[j], before_last[j - 2] + 1);
     }
-    before_last = last;
-    last = row;
+    before_last.swap(last);
+    last.swap(row);
   }
   return last.back();
 }

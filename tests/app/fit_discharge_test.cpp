@@ -76,6 +76,7 @@ TEST_F(FitDischarge, GivesNumbersWithUncertaintyTableAndChart) {
   EXPECT_NEAR(json.at("coefficients").at("n").at("value").get<double>(), 0.20, 1e-3);
   EXPECT_LT(json.at("coefficients").at("n").at("deviation").get<double>(), 1e-3);
   EXPECT_EQ(json.at("covariance").size(), 2U);
+  EXPECT_TRUE(json.at("chi_square_per_degree_of_freedom").is_null()) << "without errors there is none";
   EXPECT_EQ(support::contents(out() / "fit.png").substr(1, 3), "PNG");
   const std::string table = support::contents(out() / "fit.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 8);

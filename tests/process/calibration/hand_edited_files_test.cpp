@@ -207,7 +207,8 @@ TEST_F(ChangedCalibration, AKeyThatNoExperimentVariesIsNotRunOver) {
 }
 
 TEST_F(ChangedCalibration, AFigureOfTheComputationIsNoMeasurement) {
-  for (const std::string figure : {"wall_seconds", "steps", "finished", "cavity_2_solid_fraction_grains"})
+  for (const std::string figure :
+       {"wall_seconds", "steps", "finished", "shoe_speed_m_s", "cavity_2_solid_fraction_grains"})
     expect_one_line_with(refusal("filled_mass_kg", figure),
                          {"measurement.figure: found \"" + figure + "\", this figure is of the computation"});
 }

@@ -79,6 +79,7 @@ TEST_F(Measurements, OfFlowsThatTheSceneDoesNotRecordAreRefused) {
                 "normal = \"-z\"\ninterval = \"1 ms\"\n");
   expect("figure = \"mass_through_slit\"\n" + mass, "\"mass_through_tray\"");
   EXPECT_EQ(message_of("figure = \"mass_through_tray\"\n" + mass), "no message");
+  expect("figure = \"real_mass_through_tray\"\n" + mass, "set powder.apparent_density");
 }
 
 TEST_F(Measurements, OfPlacesThatTheSceneCannotHaveAreNamedWithTheirLine) {
